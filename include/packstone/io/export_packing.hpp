@@ -1,0 +1,31 @@
+#pragma once
+
+/// @file
+/// Exports for other programs: VTK surfaces, STL, CSV.
+
+#include <filesystem>
+#include <string>
+
+#include "packstone/structure/packing.hpp"
+
+namespace packstone {
+
+/// Options of export_packing().
+struct ExportOptions {
+  /// Segments around a full circle of a curved surface [-]. >= 8.
+  int segments = 32;
+
+  /// Also write the periodic images that reach into the cell.
+  bool images = false;
+};
+
+/// Writes by ending: `.vtu` (surface triangles, in 2D polygons, with one set of values per
+/// inclusion as cell data: inclusion, group, shape, volume, ...), `.stl` (binary; 3D only), `.csv`
+/// (one line per inclusion).
+///
+/// Errors: throws InvalidArgument for an unknown ending or STL of a 2D packing, FileError when the
+///         file cannot be written.
+void export_packing(const std::filesystem::path& path, const Packing& packing,
+                    const ExportOptions& options = {});
+
+}  // namespace packstone

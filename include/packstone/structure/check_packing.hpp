@@ -1,0 +1,46 @@
+#pragma once
+
+/// @file
+/// The independent verdict on a packing. Shares pair kernels, but no code path, with generators.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "packstone/core/run_context.hpp"
+#include "packstone/core/vec.hpp"
+#include "packstone/structure/certificate.hpp"
+#include "packstone/structure/packing.hpp"
+
+namespace packstone {
+
+/// Options of check_packing().
+struct CheckOptions {
+  /// Least gap that every pair must keep [L]. >= 0.
+  double min_gap = 0.0;
+};
+
+/// Proof that one near pair is apart: g(direction) > 0 in equation (1) of contact.hpp.
+struct PairWitness {
+  std::int64_t a = 0;          ///< Index of the first inclusion.
+  std::int64_t b = 0;          ///< Index of the second; a = b: own image.
+  std::array<int, 3> image{};  ///< Periods by which b is shifted.
+  Vec3 direction;              ///< Unit, from a to the image of b.
+  double gap = 0.0;            ///< Proven lower bound on the gap [L]; <= 0: not proven apart.
+};
+
+/// Checks every pair of inclusions over all periodic images, own images included, and every wall.
+///
+/// Errors:  throws InvalidArgument if the packing is not well formed.
+/// Cost:    proportional to inclusions times near neighbors; parallel over inclusions. The result
+///          does not depend on the number of threads.
+[[nodiscard]] Certificate check_packing(const Packing& packing, const CheckOptions& options = {},
+                                        RunContext run = {});
+
+/// One separating direction for every pair whose bounding boxes come within `min_gap` of each
+/// other: all other pairs are apart because their boxes are. Ordered by (a, b, image).
+[[nodiscard]] std::vector<PairWitness> separating_directions(const Packing& packing,
+                                                             const CheckOptions& options = {},
+                                                             RunContext run = {});
+
+}  // namespace packstone
