@@ -41,6 +41,9 @@ struct InclusionGroup {
   /// straight part). Unused for sphere and disk.
   Distribution aspect;
   Distribution aspect_second;
+  /// Ellipsoid: `aspect` gives a/b and a/c alike, one value for both (needle above 1, lens below);
+  /// aspect_second is then not used.
+  bool spheroid = false;
   /// Fixed absolute dimensions, instead of measure, size and aspect: ellipsoid (a, b, c), ellipse
   /// (a, b), cylinder and spherocylinder (radius, half length) [L].
   std::optional<Vec3> dimensions;
