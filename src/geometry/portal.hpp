@@ -1,0 +1,163 @@
+#pragma once
+
+/// @file
+/// Where does the ray from the center of M through r leave M? (M: minkowski_sum.hpp.)
+///
+/// A portal is a simplex of three points of M (two in the plane) that the ray passes through. With
+/// n its outward normal and t r the point where the ray crosses its plane, t r lies in M, and M
+/// lies below its support plane with normal n:
+///
+///     n.r / S_M(n)  <=  mu  <=  1 / t = n.r / n.v                                          (1)
+///
+/// Each step adds the support point of n and keeps the part of the portal that the ray meets, so
+/// the bracket closes. Since the center of M lies deep inside M, no simplex degenerates when the
+/// bodies come to touch, unlike the tetrahedra of GJK.
+///
+/// Reference: G. Snethen, "XenoCollide: complex collision made simple", Game Programming Gems 7
+/// (2008) 165-178. Ours differs in bracketing (1) and in using that M is symmetric.
+
+#include "geometry/minkowski_sum.hpp"
+
+namespace packstone {
+
+/// A portal with its bracket.
+struct Portal {
+  SumPoint corner[3];
+  int count = 3;       ///< Corners in use: 3, in the plane 2, 1 when the ray hits a corner.
+  Vec3 normal;         ///< Outward, not unit.
+  double along = 0.0;  ///< normal.r > 0.
+  double inner = 0.0;  ///< normal.v of the portal's plane.
+  double outer = 0.0;  ///< S_M(normal).
+};
+
+inline constexpr int kPortalSteps = 200;
+
+namespace detail {
+
+/// One step's worth of bracket. `outer` is the support along `normal`, whose point is returned.
+template <class Sum>
+SumPoint close_bracket(const Sum& sum, const Vec3& r, const Vec3& normal, Portal& portal) {
+  const SumPoint tip = sum.support(normal);
+  portal.normal = normal;
+  portal.along = dot(normal, r);
+  portal.inner = dot(normal, portal.corner[0].sum);
+  portal.outer = dot(normal, tip.sum);
+  return tip;
+}
+
+inline double det(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
+
+/// Keeps of the portal with the new corner `tip` the part that the ray along r meets.
+inline void split(Portal& portal, const SumPoint& tip, const Vec3& r) {
+  auto& [a, b, c] = portal.corner;
+  const Vec3 side = cross(r, tip.sum);
+  const double at_a = dot(side, a.sum), at_b = dot(side, b.sum), at_c = dot(side, c.sum);
+  if (at_a >= 0.0 && at_b <= 0.0) {
+    c = tip;
+  } else if (at_c >= 0.0 && at_a <= 0.0) {
+    b = tip;
+  } else {
+    a = tip;
+  }
+}
+
+}  // namespace detail
+
+/// Searches in space. `visit(portal)` sees each bracket, the first from the direction of r with
+/// one corner only, and returns true to end the search.
+template <class Sum, class Visit>
+void search_portal(const Sum& sum, const Vec3& r, Visit&& visit) {
+  Portal portal;
+  auto& [a, b, c] = portal.corner;
+  portal.count = 1;
+  a = sum.support(r);
+  portal.normal = r;
+  portal.along = norm_sq(r);
+  portal.outer = dot(a.sum, r);
+  portal.inner = 0.0;
+  if (visit(portal)) return;
+  b = a;
+  const Vec3 across = cross(b.sum, r);
+  if (norm_sq(across) <= 1e-30 * norm_sq(b.sum) * norm_sq(r)) {
+    portal.inner = portal.outer;
+    visit(portal);
+    return;
+  }
+  a = sum.support(across);
+  portal.count = 3;
+  int step = 0;
+  for (;; ++step) {
+    if (step == kPortalSteps) return;
+    c = sum.support(cross(a.sum, b.sum));
+    if (detail::det(b.sum, c.sum, r) < 0.0) {
+      a = c;
+    } else if (detail::det(c.sum, a.sum, r) < 0.0) {
+      b = c;
+    } else {
+      break;
+    }
+  }
+  for (; step < kPortalSteps; ++step) {
+    const Vec3 normal = cross(b.sum - a.sum, c.sum - a.sum);
+    const SumPoint tip = detail::close_bracket(sum, r, normal, portal);
+    if (visit(portal)) return;
+    if (!(portal.outer > portal.inner)) return;
+    detail::split(portal, tip, r);
+  }
+}
+
+/// The same in the plane.
+template <class Sum, class Visit>
+void search_portal_2d(const Sum& sum, const Vec3& r, Visit&& visit) {
+  Portal portal;
+  auto& [a, b, c] = portal.corner;
+  portal.count = 1;
+  a = sum.support(r);
+  portal.normal = r;
+  portal.along = norm_sq(r);
+  portal.outer = dot(a.sum, r);
+  if (visit(portal)) return;
+  const double turn = cross(a.sum, r).z;
+  if (std::abs(turn) <= 1e-15 * norm(a.sum) * norm(r)) {
+    portal.inner = portal.outer;
+    visit(portal);
+    return;
+  }
+  const double sign = turn > 0.0 ? 1.0 : -1.0;  // of the turn from a to r
+  const auto left = [sign](const Vec3& v) { return Vec3{-sign * v.y, sign * v.x, 0.0}; };
+  portal.count = 2;
+  int step = 0;
+  for (;; ++step) {
+    if (step == kPortalSteps) return;
+    b = sum.support(left(a.sum));
+    if (sign * cross(b.sum, r).z <= 0.0) break;
+    a = b;
+  }
+  for (; step < kPortalSteps; ++step) {
+    const SumPoint tip = detail::close_bracket(sum, r, left(a.sum - b.sum), portal);
+    if (visit(portal)) return;
+    if (!(portal.outer > portal.inner)) return;
+    (sign * cross(tip.sum, r).z <= 0.0 ? b : a) = tip;
+  }
+}
+
+/// Weights of the corners at the point where the ray crosses the portal's plane; they sum to 1.
+struct Weights {
+  double of[3];
+};
+inline Weights crossing_weights(const Portal& portal, const Vec3& r) {
+  const auto& [a, b, c] = portal.corner;
+  if (portal.count == 1) return {{1.0, 0.0, 0.0}};
+  double x, y, z;
+  if (portal.count == 2) {
+    x = std::abs(cross(b.sum, r).z), y = std::abs(cross(a.sum, r).z), z = 0.0;
+  } else {
+    x = std::fmax(detail::det(b.sum, c.sum, r), 0.0);
+    y = std::fmax(detail::det(c.sum, a.sum, r), 0.0);
+    z = std::fmax(detail::det(a.sum, b.sum, r), 0.0);
+  }
+  const double total = x + y + z;
+  return {{x / total, y / total, z / total}};
+}
+
+}  // namespace packstone
