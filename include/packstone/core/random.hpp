@@ -28,6 +28,7 @@ enum class StreamId : std::uint64_t {
   rsa_voxel = 6,
   rsa_order = 7,
   benchmark = 8,
+  draw = 9,
 };
 
 /// The numbers of one (seed, stream, item, trial), drawn in sequence.

@@ -15,8 +15,8 @@ enum class ColorBy { group, size, orientation };
 
 /// Options of draw_packing().
 struct DrawOptions {
-  int width = 1200;   ///< [pixels], 16 to 16384.
-  int height = 1000;  ///< [pixels], 16 to 16384.
+  int width = 1200;   ///< [pixels], 16 to 16384. A 2D picture keeps the shape of the cell within
+  int height = 1000;  ///< width x height.
   ColorBy color_by = ColorBy::group;
 
   /// true: bodies and their images are cut at the faces of the cell; false: each body whole.
@@ -27,7 +27,7 @@ struct DrawOptions {
   double elevation = 25.0;
 
   /// Rays per pixel = samples^2, and as many for soft light. 1 to 32.
-  int samples = 3;
+  int samples = 4;
 };
 
 /// Draws to `path`: `.png`, and for 2D packings also `.svg`.

@@ -1,0 +1,49 @@
+#include "packstone/io/draw.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "io/draw/image.hpp"
+#include "io/draw/picture_2d.hpp"
+#include "io/draw/picture_3d.hpp"
+#include "packstone/core/error.hpp"
+
+namespace packstone {
+namespace {
+
+void check_range(const char* option, double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  throw InvalidArgument(std::string("draw option ") + option + " = " + std::to_string(value) +
+                        ", allowed is " + std::to_string(low) + " to " + std::to_string(high));
+}
+
+void check_options(const std::filesystem::path& path, const Packing& packing,
+                   const DrawOptions& options) {
+  check_range("width", options.width, 16, 16384);
+  check_range("height", options.height, 16, 16384);
+  check_range("samples", options.samples, 1, 32);
+  check_range("azimuth", options.azimuth, -360, 360);
+  check_range("elevation", options.elevation, -89, 89);
+  const std::string ending = path.extension().string();
+  const bool flat = packing.cell.dimension == 2;
+  if (ending == ".png" || (flat && ending == ".svg")) return;
+  throw InvalidArgument(path.string() + ": cannot draw a " + (flat ? "2D" : "3D") +
+                        " packing to the ending \"" + ending + "\", allowed " +
+                        (flat ? "are .png and .svg" : "is .png"));
+}
+
+}  // namespace
+
+void draw_packing(const std::filesystem::path& path, const Packing& packing,
+                  const DrawOptions& options, RunContext run) {
+  check_options(path, packing, options);
+  check_well_formed(packing);
+  if (packing.cell.dimension == 2) {
+    draw::picture_2d(path, packing, options);
+    return;
+  }
+  const draw::Image image = draw::picture_3d(packing, options, run);
+  if (run.stop_request() == StopRequest::none) draw::write_png(path, image);
+}
+
+}  // namespace packstone
