@@ -87,7 +87,7 @@ class Scene {
   Scene(std::vector<Solid> solids, const Box& clip)
       : solids_(std::move(solids)),
         clip_(clip),
-        device_(rtcNewDevice("threads=1")),
+        device_(rtcNewDevice(nullptr)),
         scene_(rtcNewScene(device_.get())) {
     const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(solids_.size()));

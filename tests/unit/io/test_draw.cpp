@@ -58,7 +58,8 @@ Packing two_flats() {
   Packing packing;
   packing.cell = cell_2d(2, 1);
   packing.groups = {"disks", "ellipses"};
-  packing.inclusions = {{{0.5, 0.5, 0}, Disk{0.3}, 0}, {{1.5, 0.5, 0}, Ellipse{{0.4, 0.2}, 1.0}, 1}};
+  packing.inclusions = {{{0.5, 0.5, 0}, Disk{0.3}, 0},
+                        {{1.5, 0.5, 0}, Ellipse{{0.4, 0.2}, 1.0}, 1}};
   return packing;
 }
 
