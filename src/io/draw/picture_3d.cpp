@@ -379,11 +379,13 @@ Image picture_3d(const Packing& packing, const DrawOptions& options, RunContext&
   const Camera camera(box, options);
   const Shader shader(scene, box, camera);
   Image image(options.width, options.height);
+  // Embree limits the pool of threads to the machine's; asking for more would only draw a warning.
+  const int threads = std::min(run.threads(), hardware_threads());
   constexpr int band = 16;  // rows between two looks at the run context
   for (int top = 0; top < options.height; top += band) {
     if (run.stop_request() != StopRequest::none) break;
     const int rows = std::min(band, options.height - top);
-    parallel_for(rows, run.threads(), 1, [&](std::int64_t begin, std::int64_t end) {
+    parallel_for(rows, threads, 1, [&](std::int64_t begin, std::int64_t end) {
       for (auto row = top + static_cast<int>(begin); row < top + static_cast<int>(end); ++row) {
         for (int x = 0; x < options.width; ++x) {
           image.at(x, row) = pixel(shader, camera, options, x, row);
