@@ -4,6 +4,14 @@
 
 namespace packstone {
 
+std::vector<std::string> shape_words() {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < kShapeKinds; ++i) {
+    words.emplace_back(name(static_cast<ShapeKind>(i)));
+  }
+  return words;
+}
+
 std::string_view name(NumberField field) noexcept {
   constexpr std::string_view names[] = {"center", "radius",     "half_length", "axis",
                                         "axes",   "quaternion", "angle"};
@@ -12,7 +20,7 @@ std::string_view name(NumberField field) noexcept {
 
 int arity(NumberField field, ShapeKind shape) noexcept {
   // Rows as ShapeKind, columns as NumberField.
-  constexpr int table[6][kNumberFields] = {
+  constexpr int table[kShapeKinds][kNumberFields] = {
       {3, 1, 0, 0, 0, 0, 0},  // sphere
       {3, 0, 0, 0, 3, 4, 0},  // ellipsoid
       {3, 1, 1, 3, 0, 0, 0},  // cylinder

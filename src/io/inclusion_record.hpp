@@ -6,6 +6,8 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "packstone/structure/packing.hpp"
 
@@ -15,6 +17,10 @@ namespace packstone {
 enum class NumberField { center, radius, half_length, axis, axes, quaternion, angle };
 
 inline constexpr std::size_t kNumberFields = 7;
+inline constexpr std::size_t kShapeKinds = std::variant_size_v<Body>;
+
+/// "sphere", "ellipsoid", ...: the names of ShapeKind, in its order.
+[[nodiscard]] std::vector<std::string> shape_words();
 
 /// "center", "radius", ...: the word in the file.
 [[nodiscard]] std::string_view name(NumberField field) noexcept;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <system_error>
 
+#include "io/packing_hdf5.hpp"
 #include "packstone/core/error.hpp"
 
 namespace packstone {
@@ -53,6 +54,7 @@ Packing read_packing(const std::filesystem::path& path) {
     case FileKind::json:
       return packing_from_json(read_text(path), path.string());
     case FileKind::hdf5:
+      return read_packing_hdf5(path);
     case FileKind::unknown:
       break;
   }
@@ -64,6 +66,7 @@ void write_packing(const std::filesystem::path& path, const Packing& packing) {
     case FileKind::json:
       return write_atomically(path, packing_to_json(packing));
     case FileKind::hdf5:
+      return write_packing_hdf5(path, packing);
     case FileKind::unknown:
       break;
   }

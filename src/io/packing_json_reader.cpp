@@ -116,7 +116,7 @@ class InclusionReader {
       group_ = group_index(word);
       return;
     }
-    for (int i = 0; i < 6; ++i) {
+    for (std::size_t i = 0; i < kShapeKinds; ++i) {
       if (word == name(static_cast<ShapeKind>(i))) shape_ = static_cast<ShapeKind>(i);
     }
     if (!shape_) {
