@@ -65,8 +65,13 @@ class SupportMap<Cylinder> {
   explicit SupportMap(const Cylinder& body) : body_(body) {}
   Vec3 point(const Vec3& d) const {
     const double along = dot(body_.axis, d);
-    const Vec3 radial = d - along * body_.axis;
-    const double rho_sq = norm_sq(radial);
+    Vec3 radial = d - along * body_.axis;
+    double rho_sq = norm_sq(radial);
+    if (rho_sq < 1e-8 * along * along) {
+      // Near the axis the rest of the subtraction has a part along the axis: take it out.
+      radial -= dot(body_.axis, radial) * body_.axis;
+      rho_sq = norm_sq(radial);
+    }
     const Vec3 end = std::copysign(body_.half_length, along) * body_.axis;
     // A direction along the axis within rounding is served by the center of the end face.
     constexpr double least = kSupportRoundoff * kSupportRoundoff;

@@ -16,6 +16,9 @@
 /// Reference: G. Snethen, "XenoCollide: complex collision made simple", Game Programming Gems 7
 /// (2008) 165-178. Ours differs in bracketing (1) and in using that M is symmetric.
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/minkowski_sum.hpp"
 
 namespace packstone {
@@ -43,6 +46,24 @@ SumPoint close_bracket(const Sum& sum, const Vec3& r, const Vec3& normal, Portal
   portal.inner = dot(normal, portal.corner[0].sum);
   portal.outer = dot(normal, tip.sum);
   return tip;
+}
+
+/// Numbers the corners so that the two shorter edges of the portal meet in the first. Their cross
+/// product is the accurate one when the portal is a sliver.
+struct BaseCorner {
+  int base, next, last;  // in the order of the portal's turn
+};
+inline BaseCorner base_corner(const Portal& portal) {
+  const auto& [a, b, c] = portal.corner;
+  const double ab = norm_sq(b.sum - a.sum), bc = norm_sq(c.sum - b.sum);
+  const double ca = norm_sq(a.sum - c.sum);
+  if (bc >= ab && bc >= ca) return {0, 1, 2};
+  return ca >= ab ? BaseCorner{1, 2, 0} : BaseCorner{2, 0, 1};
+}
+inline Vec3 normal_of(const Portal& portal) {
+  const BaseCorner i = base_corner(portal);
+  const Vec3& base = portal.corner[i.base].sum;
+  return cross(portal.corner[i.next].sum - base, portal.corner[i.last].sum - base);
 }
 
 inline double det(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(cross(a, b), c); }
@@ -98,7 +119,7 @@ void search_portal(const Sum& sum, const Vec3& r, Visit&& visit) {
     }
   }
   for (; step < kPortalSteps; ++step) {
-    const Vec3 normal = cross(b.sum - a.sum, c.sum - a.sum);
+    const Vec3 normal = detail::normal_of(portal);
     const SumPoint tip = detail::close_bracket(sum, r, normal, portal);
     if (visit(portal)) return;
     if (!(portal.outer > portal.inner)) return;
@@ -143,21 +164,30 @@ void search_portal_2d(const Sum& sum, const Vec3& r, Visit&& visit) {
 
 /// Weights of the corners at the point where the ray crosses the portal's plane; they sum to 1.
 struct Weights {
-  double of[3];
+  double of[3] = {1.0, 0.0, 0.0};
 };
 inline Weights crossing_weights(const Portal& portal, const Vec3& r) {
-  const auto& [a, b, c] = portal.corner;
-  if (portal.count == 1) return {{1.0, 0.0, 0.0}};
-  double x, y, z;
+  Weights weights;
+  if (portal.count == 1) return weights;
+  // Coordinates of the crossing along the edges from the base corner, where slivers lose nothing.
+  const Vec3 crossing = (portal.inner / portal.along) * r;
   if (portal.count == 2) {
-    x = std::abs(cross(b.sum, r).z), y = std::abs(cross(a.sum, r).z), z = 0.0;
-  } else {
-    x = std::fmax(detail::det(b.sum, c.sum, r), 0.0);
-    y = std::fmax(detail::det(c.sum, a.sum, r), 0.0);
-    z = std::fmax(detail::det(a.sum, b.sum, r), 0.0);
+    const Vec3& base = portal.corner[0].sum;
+    const Vec3 edge = portal.corner[1].sum - base;
+    const double t = std::clamp(dot(crossing - base, edge) / norm_sq(edge), 0.0, 1.0);
+    return {{1.0 - t, t, 0.0}};
   }
-  const double total = x + y + z;
-  return {{x / total, y / total, z / total}};
+  const detail::BaseCorner i = detail::base_corner(portal);
+  const Vec3& base = portal.corner[i.base].sum;
+  const Vec3 next = portal.corner[i.next].sum - base, last = portal.corner[i.last].sum - base;
+  const Vec3 n = cross(next, last), y = crossing - base;
+  const double n_sq = norm_sq(n);
+  const double to_next = std::clamp(dot(cross(y, last), n) / n_sq, 0.0, 1.0);
+  const double to_last = std::clamp(dot(cross(next, y), n) / n_sq, 0.0, 1.0 - to_next);
+  weights.of[i.base] = 1.0 - to_next - to_last;
+  weights.of[i.next] = to_next;
+  weights.of[i.last] = to_last;
+  return weights;
 }
 
 }  // namespace packstone

@@ -63,7 +63,8 @@ Vec3 support_point(const Ellipsoid& body, const Vec3& d) noexcept {
 
 Vec3 support_point(const Cylinder& body, const Vec3& d) noexcept {
   const double along = dot(body.axis, d);
-  const Vec3 radial = across(body.axis, d);
+  // Twice: near the axis, rounding leaves a part along the axis that would carry the point outside.
+  const Vec3 radial = across(body.axis, across(body.axis, d));
   const double rho = norm(radial);
   const Vec3 end = std::copysign(body.half_length, along) * body.axis;
   // Where d is along the axis within rounding, the center of the end face serves as well.
