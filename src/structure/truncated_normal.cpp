@@ -42,7 +42,8 @@ TruncatedNormal::TruncatedNormal(double lo, double hi) noexcept : lo_(lo), hi_(h
   if (lo_ > kTail) {
     way_ = Way::tail;
     log_survival_ = -0.5 * (hi_ - lo_) * (hi_ + lo_);
-    if (std::isfinite(log_survival_)) log_survival_ += std::log(mills_ratio(hi_) / mills_ratio(lo_));
+    if (std::isfinite(log_survival_))
+      log_survival_ += std::log(mills_ratio(hi_) / mills_ratio(lo_));
     return;
   }
   way_ = Way::body;
@@ -73,7 +74,7 @@ double TruncatedNormal::quantile(double u) const noexcept {
       const double width = hi_ - lo_;
       const double slope = 0.5 * (lo_ + hi_) * width;
       x = lo_ + width * (slope < 1e-8 ? v * (1.0 - 0.5 * slope * (1.0 - v))
-                                                : -std::log1p(v * std::expm1(-slope)) / slope);
+                                      : -std::log1p(v * std::expm1(-slope)) / slope);
       break;
     }
     case Way::tail:

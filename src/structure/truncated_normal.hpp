@@ -31,10 +31,10 @@ class TruncatedNormal {
 
   double lo_, hi_;
   Way way_;
-  bool flipped_ = false;         // lo_, hi_ are the mirrored bounds
-  double log_survival_ = 0.0;    // tail: log Q(hi_) / Q(lo_)
-  double below_ = 0.0;           // body: P(X < lo_)
-  double above_ = 0.0;           // body: P(X > hi_)
+  bool flipped_ = false;       // lo_, hi_ are the mirrored bounds
+  double log_survival_ = 0.0;  // tail: log Q(hi_) / Q(lo_)
+  double below_ = 0.0;         // body: P(X < lo_)
+  double above_ = 0.0;         // body: P(X > hi_)
 };
 
 /// Mills' ratio Q(x) / phi(x) for x >= 5, by Laplace's continued fraction; relative error < 1e-15.

@@ -57,10 +57,15 @@ inline Quaternion from_axis_angle(const Vec3& axis, double angle) {
   return {std::cos(0.5 * angle), s * axis.x, s * axis.y, s * axis.z};
 }
 
-/// The shortest rotation that turns the body z axis to the unit vector `axis`.
+/// The shortest rotation that turns the body z axis to the unit vector `axis`; to full precision
+/// also where `axis` is nearly -z.
 inline Quaternion from_z_to(const Vec3& axis) {
-  if (axis.z < -1.0 + 1e-12) return {0, 1, 0, 0};
-  return normalized(Quaternion{1.0 + axis.z, -axis.y, axis.x, 0.0});
+  const double across = std::hypot(axis.x, axis.y);
+  if (across == 0.0) return axis.z < 0.0 ? Quaternion{0, 1, 0, 0} : Quaternion{};
+  if (axis.z >= 0.0) return normalized(Quaternion{1.0 + axis.z, -axis.y, axis.x, 0.0});
+  // 1 + z cancels: times (1 - z) / across throughout, with (1 + z)(1 - z) = across^2.
+  const double factor = (1.0 - axis.z) / across;
+  return normalized(Quaternion{across, -factor * axis.y, factor * axis.x, 0.0});
 }
 
 }  // namespace packstone
