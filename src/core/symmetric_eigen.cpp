@@ -1,5 +1,6 @@
 #include "packstone/core/symmetric_eigen.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -11,7 +12,6 @@ using Dense = std::array<std::array<double, 3>, 3>;
 
 // Turns the rows and columns p, q of `a` so that a[p][q] = 0, and the rows of `vectors` with them.
 void jacobi_rotation(Dense& a, std::array<Vec3, 3>& vectors, std::size_t p, std::size_t q) {
-  if (a[p][q] == 0.0) return;
   const double theta = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
   const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(1.0, theta));
   const double c = 1.0 / std::hypot(1.0, t);
@@ -28,8 +28,9 @@ void jacobi_rotation(Dense& a, std::array<Vec3, 3>& vectors, std::size_t p, std:
   vectors[q] = s * vp + c * vq;
 }
 
-double off_diagonal(const Dense& a) {
-  return std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]);
+double largest_entry(const SymMat3& m) {
+  return std::max({std::abs(m.xx), std::abs(m.yy), std::abs(m.zz), std::abs(m.yz), std::abs(m.xz),
+                   std::abs(m.xy)});
 }
 
 }  // namespace
@@ -37,11 +38,17 @@ double off_diagonal(const Dense& a) {
 SymmetricEigen symmetric_eigen(const SymMat3& m) noexcept {
   Dense a{{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}};
   std::array<Vec3, 3> vectors{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  // Below rounding: turning by it would only stir equal eigenvalues.
+  const double nothing = 0x1p-56 * largest_entry(m);
   // Convergence is quadratic: five sweeps do in practice.
-  for (int sweep = 0; sweep < 30 && off_diagonal(a) > 0.0; ++sweep) {
-    jacobi_rotation(a, vectors, 0, 1);
-    jacobi_rotation(a, vectors, 0, 2);
-    jacobi_rotation(a, vectors, 1, 2);
+  bool turned = true;
+  for (int sweep = 0; sweep < 30 && turned; ++sweep) {
+    turned = false;
+    for (const auto& [p, q] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}}) {
+      if (std::abs(a[p][q]) <= nothing) continue;
+      jacobi_rotation(a, vectors, p, q);
+      turned = true;
+    }
   }
   std::array<double, 3> values{a[0][0], a[1][1], a[2][2]};
   const auto order = [&](std::size_t i, std::size_t j) {
