@@ -5,6 +5,7 @@
 
 #include "geometry/convex_contact.hpp"
 #include "geometry/proof.hpp"
+#include "packstone/geometry/ellipsoid_contact.hpp"
 
 // How a pair gets a kernel of its own: declare, in a header of its own in namespace packstone, any
 // of

@@ -1,0 +1,56 @@
+#pragma once
+
+/// @file
+/// An ellipsoid with its rotation at hand; the same arithmetic as support.cpp, bit by bit, so that
+/// what is proven here is proven for whoever evaluates support() and contains() again.
+
+#include <algorithm>
+#include <cmath>
+
+#include "packstone/core/mat.hpp"
+#include "packstone/core/quaternion.hpp"
+#include "packstone/core/tolerances.hpp"
+#include "packstone/geometry/body.hpp"
+#include "packstone/geometry/contact.hpp"
+
+namespace packstone {
+
+struct PosedEllipsoid {
+  Mat3 rotation;
+  Vec3 axes;
+  double least;
+  double largest;
+
+  explicit PosedEllipsoid(const Ellipsoid& body)
+      : rotation(to_matrix(body.orientation)),
+        axes(body.semi_axes),
+        least(std::min({axes.x, axes.y, axes.z})),
+        largest(std::max({axes.x, axes.y, axes.z})) {}
+
+  Vec3 to_body(const Vec3& v) const { return mul_transposed(rotation, v); }
+  double support(const Vec3& d) const { return norm(scale(axes, to_body(d))); }
+  Vec3 support_point(const Vec3& d) const {
+    const Vec3 v = scale(axes, to_body(d));
+    return rotation * (scale(axes, v) / norm(v));
+  }
+  /// Factor by which the body must be scaled for x to lie on its surface.
+  double level(const Vec3& x) const { return norm(unscale(to_body(x), axes)); }
+  /// The same, certainly not too small.
+  double level_bound(const Vec3& x) const {
+    const double computed = level(x);
+    return computed + kSupportRoundoff * std::max(computed, norm(x) / least);
+  }
+  bool contains(const Vec3& x) const {
+    return level(x) <= 1.0 - kSupportRoundoff * std::max(1.0, norm(x) / least);
+  }
+};
+
+/// What rounding may add to g(d) of the pair, see kProofRoundoff [L].
+inline double gap_roundoff(const PosedEllipsoid& a, const PosedEllipsoid& b, const Vec3& r) {
+  return kProofRoundoff * (norm(r) + a.largest + b.largest);
+}
+
+/// The verdict that a gap with its error supports when `min_gap` is asked for.
+[[nodiscard]] Decision decide_by_gap(const Gap& gap, double min_gap) noexcept;
+
+}  // namespace packstone
