@@ -142,8 +142,8 @@ Decision decide_by_balls(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r, 
   return {};
 }
 
-/// Walks along k until the direction or the point proves something about the bare bodies.
-/// `witness` is otherwise the last direction that may separate them.
+/// Walks along k until a direction proves a gap above `min_gap`, or a point that the bare bodies
+/// overlap.
 Decision decide_by_pencil(const EllipsoidPair& pair, double min_gap) {
   const double support_a = pair.a.support(pair.r), support_b = pair.b.support(pair.r);
   Decision decision;
@@ -171,6 +171,16 @@ Decision decide_by_pencil(const EllipsoidPair& pair, double min_gap) {
   return decision;
 }
 
+/// Where rounding of the pencil leaves both proofs open: the gap itself, whose direction does not
+/// depend on Y, and the middle of the overlap along it.
+Decision decide_closely(const EllipsoidPair& pair, const Gap& gap, double min_gap) {
+  if (pair.proven_gap(gap.normal) > min_gap) return {Verdict::separated, gap.normal};
+  if (min_gap > 0.0) return decide_by_gap(gap, min_gap);
+  const Vec3 middle = 0.5 * (gap.point_a + gap.point_b);
+  if (pair.both_contain(middle)) return {Verdict::overlapping, middle};
+  return {Verdict::undecided, gap.normal};
+}
+
 }  // namespace
 
 Decision decide_by_gap(const Gap& gap, double min_gap) noexcept {
@@ -182,10 +192,11 @@ Decision decide_by_gap(const Gap& gap, double min_gap) noexcept {
 Decision decide(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r_ab, double min_gap) noexcept {
   const Decision quick = decide_by_balls(a, b, r_ab, min_gap);
   if (quick.verdict != Verdict::undecided) return quick;
-  const Decision bare = decide_by_pencil(EllipsoidPair(a, b, r_ab), min_gap);
-  if (min_gap == 0.0 || bare.verdict == Verdict::separated) return bare;
-  if (bare.verdict == Verdict::overlapping) return {Verdict::overlapping, any_direction(r_ab)};
-  return decide_by_gap(gap(a, b, r_ab), min_gap);
+  const EllipsoidPair pair(a, b, r_ab);
+  const Decision bare = decide_by_pencil(pair, min_gap);
+  if (bare.verdict == Verdict::undecided) return decide_closely(pair, gap(a, b, r_ab), min_gap);
+  const bool any_gap_overlaps = bare.verdict == Verdict::overlapping && min_gap > 0.0;
+  return any_gap_overlaps ? Decision{Verdict::overlapping, any_direction(r_ab)} : bare;
 }
 
 ContactScale contact_scale(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r_ab) noexcept {

@@ -48,6 +48,7 @@ struct PencilSample {
 template <class Pencil, class Visit>
 bool search_pencil(const Pencil& pencil, double start, const Visit& visit) {
   constexpr int kBudget = 60;
+  constexpr double kResolution = 4e-16;
   double low = 0.0, high = std::numeric_limits<double>::infinity(), k = start;
   for (int step = 0; step < kBudget; ++step) {
     const PencilSample sample = pencil.at(k);
@@ -55,7 +56,7 @@ bool search_pencil(const Pencil& pencil, double start, const Visit& visit) {
     (sample.support_a > k * sample.support_b ? low : high) = k;
     double next = k + sample.newton_step();
     if (!(next > low && next < high)) next = std::clamp(std::sqrt(low * high), 0.1 * k, 10.0 * k);
-    if (next == k) return false;
+    if (std::abs(next - k) <= kResolution * k) return false;
     k = next;
   }
   return false;
