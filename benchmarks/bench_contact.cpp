@@ -2,7 +2,8 @@
 ///
 ///     bench_contact [pairs per class]
 ///
-/// random: bounding spheres overlap, offset uniform. touching: gap within 1 % of the smaller radius.
+/// random: bounding spheres overlap, offset uniform. touching: gap within 1 % of the smaller
+/// radius.
 
 #include <algorithm>
 #include <array>
@@ -53,12 +54,18 @@ class Draw {
 
 Body make_body(ShapeKind kind, double aspect, Draw& draw) {
   switch (kind) {
-    case ShapeKind::sphere: return Sphere{1};
-    case ShapeKind::ellipsoid: return Ellipsoid{{1, std::sqrt(aspect), aspect}, draw.rotation()};
-    case ShapeKind::cylinder: return Cylinder{1, aspect, draw.direction(3)};
-    case ShapeKind::spherocylinder: return Spherocylinder{1, aspect, draw.direction(3)};
-    case ShapeKind::disk: return Disk{1};
-    default: return Ellipse{{1, aspect}, draw.uniform(0, 3)};
+    case ShapeKind::sphere:
+      return Sphere{1};
+    case ShapeKind::ellipsoid:
+      return Ellipsoid{{1, std::sqrt(aspect), aspect}, draw.rotation()};
+    case ShapeKind::cylinder:
+      return Cylinder{1, aspect, draw.direction(3)};
+    case ShapeKind::spherocylinder:
+      return Spherocylinder{1, aspect, draw.direction(3)};
+    case ShapeKind::disk:
+      return Disk{1};
+    default:
+      return Ellipse{{1, aspect}, draw.uniform(0, 3)};
   }
 }
 

@@ -3,6 +3,10 @@
 /// @file
 /// The general pair kernels: any two convex bodies of one dimension.
 
+#include <type_traits>
+
+#include "geometry/expanding_polygon.hpp"
+#include "geometry/expanding_polytope.hpp"
 #include "geometry/gjk.hpp"
 #include "geometry/portal.hpp"
 #include "geometry/proof.hpp"
@@ -93,28 +97,107 @@ ContactScale contact_scale(const A& a, const B& b, const Vec3& r) noexcept {
   return {scale.lower * (1.0 - slack), scale.upper * (1.0 + slack)};
 }
 
-/// gap() of contact.hpp. For bodies that overlap the depth is bracketed by 0 and the least depth
-/// along the directions tried.
+/// The axis of revolution of a core; (0, 0, 0): none, or any.
+inline Vec3 revolution_axis(const Cylinder& core) { return core.axis; }
+inline Vec3 revolution_axis(const SegmentCore& core) { return core.axis; }
+inline Vec3 revolution_axis(PointCore) { return {}; }
+inline Vec3 revolution_axis(const Ellipsoid& core) {
+  const Vec3& s = core.semi_axes;
+  const Mat3 frame = to_matrix(core.orientation);
+  if (s.x == s.y) return frame.col_z;
+  if (s.y == s.z) return frame.col_x;
+  return s.x == s.z ? frame.col_y : Vec3{};
+}
+
+/// Brackets the depth of r in the sum of two cores in space, both grown by `inflation` together.
+/// Where both are bodies of revolution about axes that are parallel but for an angle, turning b to
+/// the axis of a moves its points by no more than reach_b times the angle, and the problem is one
+/// of the plane of axis and r.
+template <class Sum, class CoreA, class CoreB>
+Depth search_depth_of_cores(const Sum& sum, const CoreA& a, const CoreB& b, const Vec3& r,
+                            double reach_b, double tolerance) {
+  const Vec3 axis = revolution_axis(a), axis_b = revolution_axis(b);
+  const double angle = 1.01 * norm(cross(axis, axis_b)) + 8 * kUnitRoundoff;
+  const bool parallel = norm_sq(axis) > 0.0 && norm_sq(axis_b) > 0.0 && angle < 1e-2;
+  if (!parallel) return search_depth(sum, r, tolerance);
+  Depth depth;
+  if (angle > 1e-13) {
+    depth = search_depth(sum, r, tolerance);
+    if (depth.outer - depth.inner <= tolerance || depth.outer <= 0.0) return depth;
+  }
+  Vec3 out = r - dot(axis, r) * axis;
+  out -= dot(axis, out) * axis;
+  const double rho = norm(out);
+  const PlaneFrame frame{
+      axis, rho > kUnitRoundoff * norm(r) ? out / rho : any_perpendicular(normalized(axis))};
+  const Depth flat = search_depth_in_plane(sum, r, frame, tolerance);
+  const double inner = std::fmax(depth.inner, flat.inner - 2 * angle * reach_b);
+  if (flat.outer < depth.outer) depth = flat;
+  depth.inner = inner;
+  return depth;
+}
+
+template <class A, class B>
+Depth search_depth_of_bodies(const A& a, const B& b, const Vec3& r, double inflation,
+                             double tolerance) {
+  using Sum = MinkowskiSum<std::decay_t<decltype(core(a))>, std::decay_t<decltype(core(b))>>;
+  const Sum sum(core(a), core(b), inflation);
+  if constexpr (kPlanar<A>) {
+    return search_depth_in_plane(sum, r, {{1, 0, 0}, {0, 1, 0}}, tolerance);
+  } else {
+    return search_depth_of_cores(sum, core(a), core(b), r, reach(b), tolerance);
+  }
+}
+
+/// Bounds on the gap of the cores with the direction and the point that belong to the lower one.
+struct CoreGap {
+  double lower = -std::numeric_limits<double>::infinity();  // attained by `normal`
+  double upper = std::numeric_limits<double>::infinity();
+  Vec3 normal;
+  Vec3 in_a;
+
+  // Takes the direction of `depth` unless it is worse by more than `tolerance`.
+  void add(const Depth& depth, double inflation, double tolerance) {
+    if (depth.inner > 0.0) upper = std::fmin(upper, inflation - depth.inner);
+    if (inflation == 0.0) upper = std::fmin(upper, depth.miss);
+    if (inflation - depth.outer < lower - tolerance) return;
+    lower = inflation - depth.outer;
+    normal = depth.normal;
+    in_a = depth.in_a;
+  }
+};
+
+/// GJK while the cores are apart, their depth when they are not; and where neither closes the
+/// bracket, the depth of the cores grown by a ball, which has no thin and no flat places.
+template <class A, class B>
+CoreGap search_core_gap(const A& a, const B& b, const Vec3& r, double tolerance) {
+  using Sum = MinkowskiSum<std::decay_t<decltype(core(a))>, std::decay_t<decltype(core(b))>>;
+  const Sum sum(core(a), core(b));
+  const Vec3 start = norm_sq(r) > 0.0 ? r : Vec3{1, 0, 0};
+  const Distance apart = search_distance(sum, r, start, tolerance, kPlanar<A>);
+  CoreGap gap{apart.lower, apart.upper, apart.direction, apart.in_a};
+  if (gap.upper - gap.lower <= tolerance) return gap;
+  if (apart.inside || gap.lower <= 0.0) {
+    gap.add(search_depth_of_bodies(a, b, r, 0.0, tolerance), 0.0, tolerance);
+    if (gap.upper - gap.lower <= tolerance) return gap;
+  }
+  const double inflation = std::fmax(1.5 * gap.lower, 0.0) + 0.05 * sum.circum_radius();
+  gap.add(search_depth_of_bodies(a, b, r, inflation, tolerance), inflation, tolerance);
+  return gap;
+}
+
+/// gap() of contact.hpp.
 template <class A, class B>
 Gap gap(const A& a, const B& b, const Vec3& r) noexcept {
-  const double size = norm(r) + reach(a) + reach(b);
-  const MinkowskiSum<A, B> sum(a, b);
-  const Vec3 start = norm_sq(r) > 0.0 ? r : Vec3{1, 0, 0};
-  const Distance found = search_distance(sum, r, start, 1e-14 * size);
+  const double tolerance = 0.1 * kGapRoundoff * std::fmax(reach(a), reach(b));
+  const CoreGap cores = search_core_gap(a, b, r, tolerance);
   Gap result;
-  result.normal = found.direction;
-  const SumPoint tip = sum.support(result.normal);
-  if (found.inside || found.lower <= 0.0) {
-    result.value = gap_along(a, b, r, result.normal);
-    result.error = std::abs(result.value) + gap_roundoff(a, b, r);
-    result.point_a = tip.in_a;
-    result.point_b = tip.in_a + result.value * result.normal;
-    return result;
-  }
-  result.value = gap_along(a, b, r, result.normal);
-  result.error = std::fmax(found.upper - result.value, 0.0) + 2 * gap_roundoff(a, b, r);
-  result.point_a = found.in_a;
-  result.point_b = found.in_a + result.value * result.normal;
+  result.normal = cores.normal;
+  result.value = gap_along(a, b, r, cores.normal);
+  const double upper = cores.upper - (margin(a) + margin(b));
+  result.error = std::fmax(upper - result.value, 0.0) + 2 * gap_roundoff(a, b, r);
+  result.point_a = cores.in_a + margin(a) * result.normal;
+  result.point_b = result.point_a + result.value * result.normal;
   return result;
 }
 

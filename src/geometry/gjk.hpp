@@ -66,18 +66,23 @@ inline Nearest closer(const Nearest& a, const Nearest& b) {
 }
 
 inline Nearest nearest_on_triangle(const Simplex& s, int i, int j, int k) {
-  const Vec3 &a = s.offset[i], &b = s.offset[j], &c = s.offset[k];
-  const Vec3 ab = b - a, ac = c - a;
-  const Vec3 n = cross(ab, ac);
+  // The two shorter edges meet in the base: slivers lose nothing.
+  const double ij = norm_sq(s.offset[j] - s.offset[i]), jk = norm_sq(s.offset[k] - s.offset[j]);
+  const double ki = norm_sq(s.offset[i] - s.offset[k]);
+  const int base = jk >= ij && jk >= ki ? i : (ki >= ij ? j : k);
+  const int next = base == i ? j : (base == j ? k : i);
+  const int last = base == i ? k : (base == j ? i : j);
+  const Vec3& a = s.offset[base];
+  const Vec3 e = s.offset[next] - a, f = s.offset[last] - a;
+  const Vec3 n = cross(e, f);
   const double n_sq = norm_sq(n);
-  const double at_a = dot(n, cross(b, c)), at_b = dot(n, cross(c, a)), at_c = dot(n, cross(a, b));
-  const bool flat = n_sq <= 1e-28 * norm_sq(ab) * norm_sq(ac);
-  if (!flat && at_a >= 0.0 && at_b >= 0.0 && at_c >= 0.0) {
+  const double to_next = -dot(cross(a, f), n), to_last = -dot(cross(e, a), n);
+  const bool flat = n_sq <= 1e-28 * norm_sq(e) * norm_sq(f);
+  if (!flat && to_next >= 0.0 && to_last >= 0.0 && to_next + to_last <= n_sq) {
     Nearest best;
-    const double total = at_a + at_b + at_c;
-    best.weight[i] = at_a / total;
-    best.weight[j] = at_b / total;
-    best.weight[k] = at_c / total;
+    best.weight[next] = to_next / n_sq;
+    best.weight[last] = to_last / n_sq;
+    best.weight[base] = std::fmax(1.0 - best.weight[next] - best.weight[last], 0.0);
     const double height = dot(n, a);
     best.point = (height / n_sq) * n;
     best.direction = height < 0.0 ? -n : n;
@@ -146,14 +151,14 @@ struct Distance {
   Vec3 direction;       ///< Unit, attains `lower`.
   Vec3 in_a;            ///< Point of a, relative to its center.
   Vec3 in_b;            ///< Point of b, relative to its center.
-  bool inside = false;  ///< r lies in M, as far as rounding tells.
+  bool inside = false;  ///< r seems to lie in M; not a proof.
 };
 
 inline constexpr int kGjkSteps = 128;
 
 /// Searches until the bracket is within `tolerance` [L], starting along `start`.
 template <class Sum>
-Distance search_distance(const Sum& sum, const Vec3& r, Vec3 start, double tolerance) {
+Distance search_distance(const Sum& sum, const Vec3& r, Vec3 start, double tolerance, bool planar) {
   Distance found;
   found.lower = -std::numeric_limits<double>::infinity();
   found.upper = std::numeric_limits<double>::infinity();
@@ -172,19 +177,24 @@ Distance search_distance(const Sum& sum, const Vec3& r, Vec3 start, double toler
     s.offset[s.count++] = offset;
     const Nearest nearest = reduce(s);
     found.inside = nearest.holds_origin;
-    const double distance = std::sqrt(nearest.distance_sq);
-    if (found.inside || !(norm_sq(nearest.direction) > 0.0)) {
+    // A triangle of the plane that holds the origin has no direction within the plane.
+    const Vec3& across = nearest.direction;
+    const bool flat = planar && across.x == 0.0 && across.y == 0.0;
+    if (found.inside || flat || !(norm_sq(nearest.direction) > 0.0)) {
       found.inside = true;
-      found.upper = 0.0;
       return found;
     }
+    Vec3 in_a, in_b, offset_sum;
+    for (int i = 0; i < s.count; ++i) {
+      in_a += s.weight[i] * s.corner[i].in_a;
+      in_b -= s.weight[i] * s.corner[i].in_b;
+      offset_sum += s.weight[i] * s.offset[i];
+    }
+    const double distance = norm(offset_sum);
     if (!(distance < found.upper)) return found;
     found.upper = distance;
-    found.in_a = found.in_b = Vec3{};
-    for (int i = 0; i < s.count; ++i) {
-      found.in_a += s.weight[i] * s.corner[i].in_a;
-      found.in_b -= s.weight[i] * s.corner[i].in_b;
-    }
+    found.in_a = in_a;
+    found.in_b = in_b;
     d = -nearest.direction;
   }
   return found;

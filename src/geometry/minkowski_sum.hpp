@@ -65,13 +65,11 @@ class SupportMap<Cylinder> {
   explicit SupportMap(const Cylinder& body) : body_(body) {}
   Vec3 point(const Vec3& d) const {
     const double along = dot(body_.axis, d);
+    // Twice: near the axis, rounding leaves a part along the axis that would carry the point
+    // outside.
     Vec3 radial = d - along * body_.axis;
-    double rho_sq = norm_sq(radial);
-    if (rho_sq < 1e-8 * along * along) {
-      // Near the axis the rest of the subtraction has a part along the axis: take it out.
-      radial -= dot(body_.axis, radial) * body_.axis;
-      rho_sq = norm_sq(radial);
-    }
+    radial -= dot(body_.axis, radial) * body_.axis;
+    const double rho_sq = norm_sq(radial);
     const Vec3 end = std::copysign(body_.half_length, along) * body_.axis;
     // A direction along the axis within rounding is served by the center of the end face.
     constexpr double least = kSupportRoundoff * kSupportRoundoff;
@@ -130,6 +128,51 @@ class SupportMap<Ellipse> {
   Vec2 axis_y_;
   double circum_radius_;
 };
+
+/// What is left of a sphere or disk without its radius.
+struct PointCore {};
+/// What is left of a spherocylinder without its radius.
+struct SegmentCore {
+  double half_length;
+  Vec3 axis;
+};
+
+template <>
+class SupportMap<PointCore> {
+ public:
+  explicit SupportMap(PointCore) {}
+  Vec3 point(const Vec3&) const { return {}; }
+  double circum_radius() const { return 0.0; }
+};
+
+template <>
+class SupportMap<SegmentCore> {
+ public:
+  explicit SupportMap(const SegmentCore& core) : core_(core) {}
+  Vec3 point(const Vec3& d) const {
+    return std::copysign(core_.half_length, dot(core_.axis, d)) * core_.axis;
+  }
+  double circum_radius() const { return core_.half_length; }
+
+ private:
+  SegmentCore core_;
+};
+
+/// A body is its core grown by a ball (in the plane, a disk) of radius margin(body). Distances of
+/// cores are well conditioned where bodies touch, and of shallow depths they are the exact answer.
+inline PointCore core(const Sphere&) { return {}; }
+inline PointCore core(const Disk&) { return {}; }
+inline SegmentCore core(const Spherocylinder& body) { return {body.half_length, body.axis}; }
+inline const Ellipsoid& core(const Ellipsoid& body) { return body; }
+inline const Cylinder& core(const Cylinder& body) { return body; }
+inline const Ellipse& core(const Ellipse& body) { return body; }
+inline double margin(const Sphere& body) { return body.radius; }
+inline double margin(const Disk& body) { return body.radius; }
+inline double margin(const Spherocylinder& body) { return body.radius; }
+template <class Shape>
+double margin(const Shape&) {
+  return 0.0;
+}
 
 /// A point of M with its parts, equation (4): sum = in_a + in_b, and the inflation where there is
 /// one.
