@@ -1,6 +1,7 @@
 #include "packstone/structure/inclusion_mix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -456,26 +457,41 @@ bool holds(const Body& body, const Vec3& p) {
 
 std::string lengths_text(const Body& body) { return lengths_text(std::vector<Body>{body}); }
 
-// A centrally symmetric body meets its image at s exactly when s / 2 lies inside it.
-void check_own_images(const Cell& cell, const Body& body, const std::string& what) {
-  const double reach = 2.0 * circum_radius(body);
+// One of each pair of opposite images that a body of the given reach may meet, the origin left out.
+std::vector<std::array<int, 3>> half_of_images(const Cell& cell, double reach) {
   std::array<int, 3> most{0, 0, 0};
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
     if (!cell.periodic[axis]) continue;
     // Fibers of more than 64 periods are left to the placement, which meets the rest.
     most[axis] = static_cast<int>(std::min(64.0, std::ceil(reach / cell.size[axis]) - 1.0));
   }
-  for (int i = -most[0]; i <= most[0]; ++i) {
-    for (int j = -most[1]; j <= most[1]; ++j) {
-      for (int k = 0; k <= most[2]; ++k) {
-        if (i == 0 && j == 0 && k == 0) continue;
-        if (!holds(body, 0.5 * image_shift(cell, {i, j, k}))) continue;
-        refuse(what, lengths_text(body) + " overlaps its own periodic image [" + std::to_string(i) +
-                         ", " + std::to_string(j) + ", " + std::to_string(k) +
-                         "]; make it smaller or the cell larger");
-      }
+  std::vector<std::array<int, 3>> images;
+  for (int i = 0; i <= most[0]; ++i) {
+    for (int j = i == 0 ? 0 : -most[1]; j <= most[1]; ++j) {
+      for (int k = i == 0 && j == 0 ? 1 : -most[2]; k <= most[2]; ++k) images.push_back({i, j, k});
     }
   }
+  return images;
+}
+
+// A centrally symmetric body meets its image at s exactly when s / 2 lies inside it.
+void check_own_images(const Cell& cell, const Body& body, const std::string& what) {
+  const double reach = 2.0 * circum_radius(body);
+  if (reach <= std::min({cell.size.x, cell.size.y, cell.dimension == 2 ? reach : cell.size.z})) {
+    return;
+  }
+  std::array<int, 3> nearest{};
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::array<int, 3>& image : half_of_images(cell, reach)) {
+    const Vec3 shift = image_shift(cell, image);
+    if (norm_sq(shift) >= least || !holds(body, 0.5 * shift)) continue;
+    least = norm_sq(shift);
+    nearest = image;
+  }
+  if (!std::isfinite(least)) return;
+  refuse(what, lengths_text(body) + " overlaps its own periodic image [" +
+                   std::to_string(nearest[0]) + ", " + std::to_string(nearest[1]) + ", " +
+                   std::to_string(nearest[2]) + "]; make it smaller or the cell larger");
 }
 
 void check_walls(const Cell& cell, const Body& body, const std::string& what) {
