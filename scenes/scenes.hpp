@@ -13,4 +13,18 @@ namespace packstone::scenes {
 /// they are the same to the last bit.
 [[nodiscard]] std::uint64_t state_hash(const Packing& packing);
 
+/// `count` prolate ellipsoids of aspect 2 in the periodic unit cube, filling `fraction` of it: a
+/// stretched close-packed lattice (with vacancies where the count needs them), shaken by
+/// hard-particle Monte Carlo, so that gaps of all sizes occur. Free of overlap. Throws
+/// InvalidArgument where the lattice has no room (above some 0.6; less for small counts).
+[[nodiscard]] Packing jostled_ellipsoids(std::int64_t count, double fraction, std::uint64_t seed);
+
+/// `count` spheres, radii over a range of 1 to 1000 with density ~ r^-3.5, thrown into the periodic
+/// unit cube one by one, largest first, to fill `fraction` (below 0.4). Free of overlap.
+[[nodiscard]] Packing polydisperse_spheres(std::int64_t count, double fraction, std::uint64_t seed);
+
+/// `count` spherocylinders of aspect 100, turned at random, thrown into the periodic unit cube one
+/// by one to fill `fraction` (below 0.03). Free of overlap.
+[[nodiscard]] Packing needles(std::int64_t count, double fraction, std::uint64_t seed);
+
 }  // namespace packstone::scenes

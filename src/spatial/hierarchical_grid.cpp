@@ -114,7 +114,7 @@ std::int64_t HierarchicalGrid::expected(std::int64_t count) const {
   return static_cast<std::int64_t>(static_cast<double>(count) * std::min(growth, 1.5));
 }
 
-// Grid cells from 1/8 of to four times the width of a typical query, whichever walks least.
+// As many grid cells across the width of a typical query as make it walk least, memory permitting.
 void HierarchicalGrid::shape_level(Level& level, const std::vector<Entry>& entries,
                                    std::int64_t count) const {
   std::array<double, 3> width{};
@@ -124,7 +124,7 @@ void HierarchicalGrid::shape_level(Level& level, const std::vector<Entry>& entri
   for (double& w : width) w *= 2.0 / static_cast<double>(entries.size());
   if (cell_.dimension == 2) width[2] = 0.0;
   Layout best;
-  for (double per_width = 0.25; per_width < 9.0; per_width *= 1.189207115002721) {
+  for (double per_width = 0x1p-20; per_width < 9.0; per_width *= 1.189207115002721) {
     const Layout layout = layout_for(width, per_width, static_cast<double>(count));
     if (layout.cost < best.cost) best = layout;
   }

@@ -53,7 +53,8 @@ class HierarchicalGrid {
   ///
   /// @param id            Any number that the caller knows the body by.
   /// @param center        Inside the cell [L].
-  /// @param half_extents  Half edges of its box [L], see half_extents() of bounds.hpp.
+  /// @param half_extents  Half edges of its box [L], see half_extents() of bounds.hpp. At most some
+  ///                      500 periods long along a periodic axis.
   void insert(std::int32_t id, const Vec3& center, const Vec3& half_extents);
 
   /// Visits every stored body, image by image, whose box comes within `margin` of the box asked
@@ -136,13 +137,16 @@ class HierarchicalGrid {
 
   AxisRange axis_range(const Level& level, const UnitBox& box, std::size_t a) const {
     const int n = level.dims[a];
-    int first = static_cast<int>(std::floor((box.lo[a] - level.reach[a]) * n));
-    int last = static_cast<int>(std::floor((box.hi[a] + level.reach[a]) * n));
-    if (first >= 0 && last < n) return {first, last, 0, 0};
-    if (periodic_[a]) return {first, last, floor_div(first, n), floor_div(last, n)};
-    first = first < 0 ? 0 : first < n ? first : n - 1;
-    last = last < 0 ? 0 : last < n ? last : n - 1;
-    return {first, last, 0, 0};
+    double first = std::floor((box.lo[a] - level.reach[a]) * n);
+    double last = std::floor((box.hi[a] + level.reach[a]) * n);
+    if (!periodic_[a]) {
+      const double end = n - 1;
+      first = first < 0.0 ? 0.0 : first < end ? first : end;
+      last = last < 0.0 ? 0.0 : last < end ? last : end;
+    }
+    const AxisRange range{static_cast<int>(first), static_cast<int>(last), 0, 0};
+    if (range.first >= 0 && range.last < n) return range;
+    return {range.first, range.last, floor_div(range.first, n), floor_div(range.last, n)};
   }
 
   template <class Visit>
