@@ -1,11 +1,14 @@
 #include "packstone/geometry/contact.hpp"
 
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "geometry/convex_contact.hpp"
 #include "geometry/proof.hpp"
+#include "packstone/geometry/cylinder_contact.hpp"
 #include "packstone/geometry/ellipsoid_contact.hpp"
+#include "packstone/geometry/sphere_contact.hpp"
 
 // How a pair gets a kernel of its own: declare, in a header of its own in namespace packstone, any
 // of
@@ -67,7 +70,10 @@ Gap gap_pair(const X& a, const Y& b, const Vec3& r) noexcept {
     return {swapped.value, swapped.error, -swapped.normal, swapped.point_b + r,
             swapped.point_a + r};
   } else if constexpr (HasGap<X, Y>) {
-    return gap(a, b, r);
+    const Gap special = gap(a, b, r);
+    if (special.error <= kGapRoundoff * std::fmax(reach(a), reach(b))) return special;
+    const Gap general = convex::gap(a, b, r);
+    return general.error < special.error ? general : special;
   } else {
     return convex::gap(a, b, r);
   }
