@@ -56,6 +56,7 @@ class RunContext {
   }
 
   [[nodiscard]] int threads() const noexcept { return threads_; }
+  [[nodiscard]] Clock::time_point deadline() const noexcept { return deadline_; }
 
   /// Reads the flag and the clock: some 30 ns. Call it every few microseconds of work at most.
   [[nodiscard]] StopRequest stop_request() const noexcept {

@@ -1,0 +1,81 @@
+#pragma once
+
+/// @file
+/// Recipe: what is ordered, as plain data, and its reading from TOML.
+///
+/// docs/recipe.md lists every key with its unit, default and range.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "packstone/core/cell.hpp"
+#include "packstone/generate/rsa.hpp"
+#include "packstone/structure/inclusion_mix.hpp"
+
+namespace packstone {
+
+/// Who places the inclusions.
+enum class PackMethod {
+  automatic,  ///< pack() chooses and says which and why.
+  rsa,        ///< Random sequential adsorption, rsa.hpp.
+};
+
+/// "auto", "rsa": the word used in recipes.
+[[nodiscard]] std::string_view name(PackMethod method) noexcept;
+
+/// `[packing.rsa]`: the fields of RsaOptions that a recipe may set.
+struct RsaSettings {
+  RsaOrder order = RsaOrder::largest_first;
+  /// true: the orientations of every group whose law is random are redrawn with each trial.
+  bool redraw_orientations = false;
+  std::int64_t max_trials = RsaOptions{}.max_trials;      ///< >= 1.
+  std::int64_t max_restarts = RsaOptions{}.max_restarts;  ///< >= 0.
+};
+
+/// Everything that a packing is made from. The same recipe and seed give the same packing.
+struct Recipe {
+  std::string origin;  ///< The file it was read from; stands in messages. May be empty.
+  Cell cell;
+  std::vector<InclusionGroup> groups;  ///< At least one; names differ.
+  PackMethod method = PackMethod::automatic;
+  double min_gap = 0.0;              ///< Least gap between any two inclusions [L]. >= 0.
+  std::uint64_t seed = 1;            ///< Key of every random stream. A file holds up to 2^63 - 1.
+  std::optional<double> time_limit;  ///< Then keep what is valid [s]. > 0; absent: none.
+  RsaSettings rsa;
+};
+
+/// Changes a recipe before it is read: "packing.seed=7", "inclusions.fibers.count=20",
+/// "inclusions[0].fraction=0.1", "cell.size=[2, 2, 2]". The value is TOML; a bare word or phrase
+/// stands for a string.
+using Override = std::string;
+
+/// The seconds of "30 s", "10 min", "1.5 h" or "90" (seconds), blanks optional; nothing for
+/// anything else, or for a time that is not > 0.
+[[nodiscard]] std::optional<double> seconds_in(std::string_view text);
+
+/// Reads a `.toml` recipe; or from a `.json` or `.h5` packing the recipe that made it; or a `.json`
+/// recipe as recipe_to_json() writes it.
+///
+/// Errors:  throws FileError when the file cannot be read, InvalidArgument with one line per
+///          mistake, all mistakes at once: file, line, key, value and allowed range.
+[[nodiscard]] Recipe read_recipe(const std::filesystem::path& path,
+                                 const std::vector<Override>& overrides = {});
+
+/// Reads the TOML text of a recipe. `origin` stands for the file in messages; tables of a
+/// distribution (`table = "sizes.csv"`) are looked for beside it. Errors as read_recipe().
+[[nodiscard]] Recipe recipe_from_toml(std::string_view text, const std::string& origin,
+                                      const std::vector<Override>& overrides = {});
+
+/// Reads what recipe_to_json() wrote. Errors as read_recipe(), without lines.
+[[nodiscard]] Recipe recipe_from_json(std::string_view text, const std::string& origin,
+                                      const std::vector<Override>& overrides = {});
+
+/// The recipe as a JSON object with the keys of the TOML form, overrides applied and tables
+/// included: recipe_from_json() gives the same recipe back, to the last bit.
+[[nodiscard]] std::string recipe_to_json(const Recipe& recipe);
+
+}  // namespace packstone

@@ -1,0 +1,298 @@
+#include "packstone/recipe/recipe.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "packstone/core/error.hpp"
+#include "packstone/io/packing_file.hpp"
+#include "recipe/overrides.hpp"
+#include "recipe/read_inclusions.hpp"
+#include "recipe/recipe_table.hpp"
+#include "recipe/time_text.hpp"
+
+namespace packstone {
+namespace {
+
+using recipe::Complaints;
+using recipe::Entry;
+using recipe::TableView;
+
+// The table `key` of `parent`, if it is one; complains when it is something else.
+const toml::table* table_at(const TableView& parent, std::string_view key, Complaints& complaints) {
+  const Entry entry = parent[key];
+  if (!entry) return nullptr;
+  if (!entry.node->is_table()) complaints.not_allowed(entry, "a table [" + entry.name + "]");
+  return entry.node->as_table();
+}
+
+// Reads the size of the cell into `cell`; returns its dimension, 0 when it could not be read.
+int read_cell_size(const TableView& table, Cell& cell, Complaints& complaints) {
+  const Entry size = table["size"];
+  if (!size) {
+    complaints.missing(&table.node(), "cell.size", "a list of 2 or 3 numbers, each a number > 0");
+    return 0;
+  }
+  const auto edges = recipe::read_numbers(size, {2, 3}, recipe::positive_number(), complaints);
+  if (!edges) {
+    const toml::array* const array = size.node->as_array();
+    const std::size_t count = array == nullptr ? 0 : array->size();
+    return count == 2 || count == 3 ? static_cast<int>(count) : 0;
+  }
+  cell.dimension = static_cast<int>(edges->size());
+  cell.size = {(*edges)[0], (*edges)[1], edges->size() == 3 ? (*edges)[2] : 0.0};
+  return cell.dimension;
+}
+
+void read_periodic(const Entry& periodic, int dimension, Cell& cell, Complaints& complaints) {
+  if (const auto flag = periodic.node->value_exact<bool>()) {
+    cell.periodic = {*flag, *flag, *flag && dimension == 3};
+    return;
+  }
+  const toml::array* const flags = periodic.node->as_array();
+  const std::size_t axes = static_cast<std::size_t>(dimension);
+  if (flags == nullptr || (dimension != 0 && flags->size() != axes)) {
+    const std::string count =
+        dimension == 0 ? "one flag" : std::to_string(dimension) + " flags, one";
+    complaints.not_allowed(periodic, "true, false, or a list of " + count + " per axis");
+    return;
+  }
+  for (std::size_t i = 0; i < flags->size() && i < 3; ++i) {
+    cell.periodic[i] = recipe::read_flag(recipe::item(periodic, i), complaints).value_or(true);
+  }
+}
+
+int read_cell(const TableView& root, Cell& cell, Complaints& complaints) {
+  if (!root["cell"]) complaints.missing(nullptr, "[cell]", "a table with size and periodic");
+  const toml::table* const node = table_at(root, "cell", complaints);
+  if (node == nullptr) return 0;
+  const TableView table(*node, "cell", {"size", "periodic"}, complaints);
+  const int dimension = read_cell_size(table, cell, complaints);
+  if (dimension == 2) cell.periodic[2] = false;
+  if (const Entry periodic = table["periodic"]) {
+    read_periodic(periodic, dimension, cell, complaints);
+  }
+  return dimension;
+}
+
+void read_rsa(const TableView& packing, RsaSettings& rsa, Complaints& complaints) {
+  const toml::table* const node = table_at(packing, "rsa", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.rsa",
+                        {"order", "redraw_orientations", "max_trials", "max_restarts"}, complaints);
+  if (const Entry order = table["order"]) {
+    const auto choice = recipe::read_choice<RsaOrder>(order,
+                                                      {{"largest-first", RsaOrder::largest_first},
+                                                       {"group", RsaOrder::as_given},
+                                                       {"shuffled", RsaOrder::shuffled}},
+                                                      complaints);
+    if (choice) rsa.order = *choice;
+  }
+  if (const Entry redraw = table["redraw_orientations"]) {
+    rsa.redraw_orientations = recipe::read_flag(redraw, complaints).value_or(false);
+  }
+  if (const Entry trials = table["max_trials"]) {
+    rsa.max_trials = recipe::read_integer(trials, 1, complaints).value_or(rsa.max_trials);
+  }
+  if (const Entry restarts = table["max_restarts"]) {
+    rsa.max_restarts = recipe::read_integer(restarts, 0, complaints).value_or(rsa.max_restarts);
+  }
+}
+
+void read_packing_table(const TableView& root, Recipe& order, Complaints& complaints) {
+  const toml::table* const node = table_at(root, "packing", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing", {"method", "min_gap", "seed", "time_limit", "rsa"},
+                        complaints);
+  if (const Entry method = table["method"]) {
+    const auto choice = recipe::read_choice<PackMethod>(
+        method, {{"auto", PackMethod::automatic}, {"rsa", PackMethod::rsa}}, complaints);
+    if (choice) order.method = *choice;
+  }
+  if (const Entry gap = table["min_gap"]) {
+    order.min_gap =
+        recipe::read_number(gap, recipe::not_negative_number(), complaints).value_or(0.0);
+  }
+  if (const Entry seed = table["seed"]) {
+    order.seed = static_cast<std::uint64_t>(recipe::read_integer(seed, 0, complaints).value_or(1));
+  }
+  if (const Entry limit = table["time_limit"]) {
+    order.time_limit = recipe::read_time(limit, complaints);
+  }
+  read_rsa(table, order.rsa, complaints);
+}
+
+// Gives groups without a name that of their shape, and refuses a name that stands twice.
+void settle_names(std::vector<InclusionGroup>& groups, const Entry& list, Complaints& complaints) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].name.empty() || taken.insert(groups[i].name).second) continue;
+    const Entry name{(*recipe::item(list, i).node->as_table()).get("name"),
+                     recipe::item(list, i).name + ".name"};
+    complaints.not_allowed(name, "a name that no other group has");
+  }
+  for (InclusionGroup& group : groups) {
+    if (!group.name.empty()) continue;
+    const std::string word(name(group.shape));
+    group.name = word;
+    for (int k = 2; !taken.insert(group.name).second; ++k) {
+      group.name = word + "_" + std::to_string(k);
+    }
+  }
+}
+
+// Orders of all groups together that no packing can meet.
+void check_sums(const Recipe& order, const Entry& list, Complaints& complaints) {
+  double sum = 0.0;
+  int open = 0;
+  for (std::size_t i = 0; i < order.groups.size(); ++i) {
+    const InclusionGroup& group = order.groups[i];
+    const double before = sum;
+    sum += group.fraction.value_or(0.0);
+    if (before < 1.0 && sum >= 1.0) {
+      complaints.add(recipe::item(list, i).node,
+                     recipe::item(list, i).name + ".fraction makes the fractions sum to " +
+                         std::to_string(sum) + "; allowed is a sum < 1");
+    }
+    if (group.count || group.fraction || ++open == 1) continue;
+    complaints.add(recipe::item(list, i).node,
+                   recipe::item(list, i).name +
+                       " is the second group with a size alone; only one group can fill what "
+                       "the others leave: give it a count or a fraction too");
+  }
+}
+
+void read_groups(const TableView& root, int dimension, Recipe& order, Complaints& complaints) {
+  const Entry list = root["inclusions"];
+  if (!list) {
+    return complaints.missing(nullptr, "[[inclusions]]", "one table or more, one per group");
+  }
+  const toml::array* const tables = list.node->as_array();
+  if (tables == nullptr || tables->empty()) {
+    return complaints.add(list.node, "inclusions; allowed is one table [[inclusions]] or more");
+  }
+  const std::size_t before = complaints.count();
+  for (std::size_t i = 0; i < tables->size(); ++i) {
+    auto group = recipe::read_inclusions(recipe::item(list, i), dimension, complaints);
+    if (group) order.groups.push_back(std::move(*group));
+  }
+  if (complaints.count() != before) return;
+  settle_names(order.groups, list, complaints);
+  check_sums(order, list, complaints);
+}
+
+Recipe recipe_from_tree(toml::table& tree, const std::string& origin,
+                        const std::vector<Override>& overrides) {
+  Complaints complaints(origin);
+  for (const Override& text : overrides) recipe::apply_override(tree, text, complaints);
+  const TableView root(tree, "", {"cell", "inclusions", "packing"}, complaints);
+  Recipe order;
+  order.origin = origin;
+  const int dimension = read_cell(root, order.cell, complaints);
+  read_groups(root, dimension, order, complaints);
+  read_packing_table(root, order, complaints);
+  complaints.throw_if_any();
+  return order;
+}
+
+toml::table table_of(const nlohmann::json& value);
+toml::array array_of(const nlohmann::json& value);
+
+bool fits_toml_integer(const nlohmann::json& value) {
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (!value.is_number_integer()) return false;
+  return !value.is_number_unsigned() || value.get<std::uint64_t>() <= kMost;
+}
+
+// Hands the TOML form of a JSON value to `put`. TOML has no null; such a value is left out.
+template <class Put>
+void with_toml(const nlohmann::json& value, const Put& put) {
+  if (value.is_object()) put(table_of(value));
+  if (value.is_array()) put(array_of(value));
+  if (value.is_string()) put(value.get<std::string>());
+  if (value.is_boolean()) put(value.get<bool>());
+  if (!value.is_number()) return;
+  if (fits_toml_integer(value)) {
+    put(value.get<std::int64_t>());
+  } else {
+    put(value.get<double>());
+  }
+}
+
+toml::table table_of(const nlohmann::json& value) {
+  toml::table table;
+  for (const auto& [key, child] : value.items()) {
+    with_toml(child, [&table, &name = key](auto&& node) { table.insert(name, std::move(node)); });
+  }
+  return table;
+}
+
+toml::array array_of(const nlohmann::json& value) {
+  toml::array array;
+  for (const auto& child : value) {
+    with_toml(child, [&array](auto&& node) { array.push_back(std::move(node)); });
+  }
+  return array;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw FileError("cannot read " + path.string());
+  }
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// The recipe that made the packing in `path`.
+Recipe recipe_of_packing(const std::filesystem::path& path,
+                         const std::vector<Override>& overrides) {
+  const Packing packing = read_packing(path);
+  if (!packing.provenance || packing.provenance->recipe_json.empty()) {
+    throw InvalidArgument(path.string() + ": the packing does not hold the recipe it came from");
+  }
+  return recipe_from_json(packing.provenance->recipe_json, path.string(), overrides);
+}
+
+}  // namespace
+
+std::string_view name(PackMethod method) noexcept {
+  return method == PackMethod::rsa ? "rsa" : "auto";
+}
+
+Recipe recipe_from_toml(std::string_view text, const std::string& origin,
+                        const std::vector<Override>& overrides) {
+  toml::table tree;
+  try {
+    tree = toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    const auto place = error.source().begin;
+    throw InvalidArgument(origin + ":" + std::to_string(place.line) + ": column " +
+                          std::to_string(place.column) +
+                          ": not TOML: " + std::string(error.description()));
+  }
+  return recipe_from_tree(tree, origin, overrides);
+}
+
+Recipe recipe_from_json(std::string_view text, const std::string& origin,
+                        const std::vector<Override>& overrides) {
+  const auto value = nlohmann::json::parse(text, nullptr, false);
+  if (!value.is_object()) throw InvalidArgument(origin + ": not a JSON object");
+  toml::table tree = table_of(value);
+  return recipe_from_tree(tree, origin, overrides);
+}
+
+Recipe read_recipe(const std::filesystem::path& path, const std::vector<Override>& overrides) {
+  const std::string ending = path.extension().string();
+  if (ending == ".h5") return recipe_of_packing(path, overrides);
+  const std::string text = text_of(path);
+  if (ending != ".json") return recipe_from_toml(text, path.string(), overrides);
+  const auto value = nlohmann::json::parse(text, nullptr, false);
+  const bool is_packing = value.is_object() && value.contains("format");
+  return is_packing ? recipe_of_packing(path, overrides)
+                    : recipe_from_json(text, path.string(), overrides);
+}
+
+}  // namespace packstone

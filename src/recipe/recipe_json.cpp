@@ -1,0 +1,175 @@
+#include <nlohmann/json.hpp>
+
+#include "packstone/core/overloaded.hpp"
+#include "packstone/recipe/recipe.hpp"
+
+namespace packstone {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNoBound = 1e300;  // min and max of a law that has none
+
+template <class Law>
+void add_bounds(Json& table, const Law& law) {
+  if (law.min > Law{}.min) table["min"] = law.min;
+  if (law.max < kNoBound) table["max"] = law.max;
+}
+
+Json law_json(const Distribution& law);
+
+Json mixture_json(const MixtureLaw& mixture) {
+  Json parts = Json::array();
+  for (std::size_t i = 0; i < mixture.parts.size(); ++i) {
+    Json part{{"weight", mixture.weights[i]}};
+    part.update(law_json(mixture.parts[i]));
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+// { "uniform": [lo, hi] } and its kin.
+Json law_json(const Distribution& law) {
+  Json text = Json::object();
+  std::visit(Overloaded{[&](const ConstantLaw& l) { text["value"] = l.value; },
+                        [&](const UniformLaw& l) {
+                          text["uniform"] = {l.lo, l.hi};
+                        },
+                        [&](const NormalLaw& l) {
+                          text["normal"] = {{"mean", l.mean}, {"std", l.std}};
+                          add_bounds(text["normal"], l);
+                        },
+                        [&](const LognormalLaw& l) {
+                          text["lognormal"] = {{"mu", l.mu}, {"sigma", l.sigma}};
+                          add_bounds(text["lognormal"], l);
+                        },
+                        [&](const WeibullLaw& l) {
+                          text["weibull"] = {{"shape", l.shape}, {"scale", l.scale}};
+                          add_bounds(text["weibull"], l);
+                        },
+                        [&](const TableLaw& l) {
+                          text["table"] = {{"values", l.values}, {"weights", l.weights}};
+                        },
+                        [&](const MixtureLaw& l) { text["mixture"] = mixture_json(l); }},
+             law.law);
+  return text;
+}
+
+// A number where the law is constant, a table otherwise.
+Json distribution_json(const Distribution& law) {
+  const bool by_volume = law.by == Weighting::volume;
+  const auto* const constant = std::get_if<ConstantLaw>(&law.law);
+  if (constant != nullptr && !by_volume) return constant->value;
+  Json text = law_json(law);
+  if (by_volume) text["by"] = "volume";
+  return text;
+}
+
+Json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+Json tensor_json(const SymMat3& t, bool plane) {
+  if (plane) return Json::array({Json{t.xx, t.xy}, Json{t.xy, t.yy}});
+  return Json::array({Json{t.xx, t.xy, t.xz}, Json{t.xy, t.yy, t.yz}, Json{t.xz, t.yz, t.zz}});
+}
+
+Json orientation_json(const OrientationLaw& law, bool plane) {
+  return std::visit(Overloaded{[](const RandomOrientation&) -> Json { return "random"; },
+                               [&](const AlignedOrientation& l) -> Json {
+                                 const Json plane_axis = Json::array({l.axis.x, l.axis.y});
+                                 return {{"axis", plane ? plane_axis : vector_json(l.axis)}};
+                               },
+                               [](const PlanarOrientation& l) -> Json {
+                                 return {{"planar", {{"normal", vector_json(l.normal)}}}};
+                               },
+                               [&](const TensorOrientation& l) -> Json {
+                                 const bool bingham = l.family == TensorFamily::bingham;
+                                 return {{"tensor", tensor_json(l.tensor, plane)},
+                                         {"family", bingham ? "bingham" : "acg"}};
+                               },
+                               [](const AngleOrientation& l) -> Json {
+                                 return {{"degrees", distribution_json(l.degrees)}};
+                               }},
+                    law);
+}
+
+bool is_round(ShapeKind shape) { return shape == ShapeKind::sphere || shape == ShapeKind::disk; }
+
+void add_dimensions(Json& text, ShapeKind shape, const Vec3& d) {
+  if (shape == ShapeKind::ellipsoid) {
+    text["semi_axes"] = vector_json(d);
+  } else if (shape == ShapeKind::ellipse) {
+    text["semi_axes"] = {d.x, d.y};
+  } else {
+    text["radius"] = d.x;
+    text["half_length"] = d.y;
+  }
+}
+
+std::string size_key(const InclusionGroup& group) {
+  switch (group.measure) {
+    case SizeMeasure::volume:
+      return dimension(group.shape) == 2 ? "area" : "volume";
+    case SizeMeasure::radius:
+      return "radius";
+    case SizeMeasure::half_length:
+      return "half_length";
+    default:
+      return "size";
+  }
+}
+
+void add_size(Json& text, const InclusionGroup& group) {
+  if (group.dimensions) return add_dimensions(text, group.shape, *group.dimensions);
+  if (!is_round(group.shape)) {
+    const bool pair = group.shape == ShapeKind::ellipsoid && !group.spheroid;
+    const Json first = distribution_json(group.aspect);
+    text["aspect"] = pair ? Json::array({first, distribution_json(group.aspect_second)}) : first;
+  }
+  text[size_key(group)] = distribution_json(group.size);
+}
+
+Json group_json(const InclusionGroup& group) {
+  Json text{{"name", group.name}, {"shape", std::string(name(group.shape))}};
+  if (group.count) text["count"] = *group.count;
+  if (group.fraction) text["fraction"] = *group.fraction;
+  add_size(text, group);
+  if (is_round(group.shape)) return text;
+  text["orientation"] = orientation_json(group.orientation, dimension(group.shape) == 2);
+  return text;
+}
+
+std::string_view order_word(RsaOrder order) {
+  if (order == RsaOrder::as_given) return "group";
+  return order == RsaOrder::shuffled ? "shuffled" : "largest-first";
+}
+
+Json cell_json(const Cell& cell) {
+  Json size = Json::array();
+  Json periodic = Json::array();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    size.push_back(cell.size[axis]);
+    periodic.push_back(cell.periodic[axis]);
+  }
+  return {{"size", size}, {"periodic", periodic}};
+}
+
+}  // namespace
+
+std::string recipe_to_json(const Recipe& recipe) {
+  Json text;
+  text["cell"] = cell_json(recipe.cell);
+  text["inclusions"] = Json::array();
+  for (const InclusionGroup& group : recipe.groups) text["inclusions"].push_back(group_json(group));
+  Json packing{{"method", std::string(name(recipe.method))},
+               {"min_gap", recipe.min_gap},
+               {"seed", recipe.seed}};
+  if (recipe.time_limit) packing["time_limit"] = *recipe.time_limit;
+  packing["rsa"] = {{"order", std::string(order_word(recipe.rsa.order))},
+                    {"redraw_orientations", recipe.rsa.redraw_orientations},
+                    {"max_trials", recipe.rsa.max_trials},
+                    {"max_restarts", recipe.rsa.max_restarts}};
+  text["packing"] = std::move(packing);
+  return text.dump();
+}
+
+}  // namespace packstone
