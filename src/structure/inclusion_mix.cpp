@@ -360,46 +360,56 @@ std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::
 
 // --- sentences ---------------------------------------------------------------------------------
 
-// The dimensions of a body under the names that people give them.
-std::vector<std::pair<std::string, double>> named_lengths(const Body& body) {
-  return std::visit(
-      Overloaded{[](const Ellipsoid& b) -> std::vector<std::pair<std::string, double>> {
-                   return {{"semi-axis a", b.semi_axes.x},
-                           {"semi-axis b", b.semi_axes.y},
-                           {"semi-axis c", b.semi_axes.z}};
-                 },
-                 [](const Ellipse& b) -> std::vector<std::pair<std::string, double>> {
-                   return {{"semi-axis a", b.semi_axes.x}, {"semi-axis b", b.semi_axes.y}};
-                 },
-                 [](const Cylinder& b) -> std::vector<std::pair<std::string, double>> {
-                   return {{"diameter", 2.0 * b.radius}, {"length", 2.0 * b.half_length}};
-                 },
-                 [](const Spherocylinder& b) -> std::vector<std::pair<std::string, double>> {
-                   return {{"diameter", 2.0 * b.radius}, {"straight length", 2.0 * b.half_length}};
-                 },
-                 [](const auto& b) -> std::vector<std::pair<std::string, double>> {
-                   return {{"diameter", 2.0 * b.radius}};
-                 }},
-      body);
+// The lengths that people name a shape by, and their names.
+Vec3 lengths_of(const Body& body) {
+  return std::visit(Overloaded{[](const Ellipsoid& b) { return b.semi_axes; },
+                               [](const Ellipse& b) { return lift(b.semi_axes); },
+                               [](const Cylinder& b) {
+                                 return Vec3{2.0 * b.radius, 2.0 * b.half_length, 0.0};
+                               },
+                               [](const Spherocylinder& b) {
+                                 return Vec3{2.0 * b.radius, 2.0 * b.half_length, 0.0};
+                               },
+                               [](const auto& b) {
+                                 return Vec3{2.0 * b.radius, 0.0, 0.0};
+                               }},
+                    body);
 }
 
-// "diameter 0.08 and length 0.4", with "0.08 to 0.1" where they differ; says whether one is plural.
+std::vector<std::string> length_names(ShapeKind shape) {
+  switch (shape) {
+    case ShapeKind::ellipsoid:
+      return {"semi-axis a", "semi-axis b", "semi-axis c"};
+    case ShapeKind::ellipse:
+      return {"semi-axis a", "semi-axis b"};
+    case ShapeKind::cylinder:
+      return {"diameter", "length"};
+    case ShapeKind::spherocylinder:
+      return {"diameter", "straight length"};
+    case ShapeKind::sphere:
+    case ShapeKind::disk:
+      break;
+  }
+  return {"diameter"};
+}
+
+// "diameter 0.08 and length 0.4", with "0.08 to 0.1" where they differ.
 std::string lengths_text(const std::vector<Body>& bodies) {
-  auto least = named_lengths(bodies.front());
-  auto most = least;
+  Vec3 least = lengths_of(bodies.front());
+  Vec3 most = least;
   for (const Body& body : bodies) {
-    const auto lengths = named_lengths(body);
-    for (std::size_t i = 0; i < lengths.size(); ++i) {
-      least[i].second = std::min(least[i].second, lengths[i].second);
-      most[i].second = std::max(most[i].second, lengths[i].second);
+    const Vec3 lengths = lengths_of(body);
+    for (std::size_t i = 0; i < 3; ++i) {
+      least[i] = std::min(least[i], lengths[i]);
+      most[i] = std::max(most[i], lengths[i]);
     }
   }
+  const std::vector<std::string> names = length_names(kind(bodies.front()));
   std::string text;
-  for (std::size_t i = 0; i < least.size(); ++i) {
-    if (i > 0) text += i + 1 == least.size() ? " and " : ", ";
-    text += least[i].first + " " + number_text(least[i].second);
-    const bool differs = most[i].second - least[i].second > 1e-9 * most[i].second;
-    if (differs) text += " to " + number_text(most[i].second);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+    text += names[i] + " " + number_text(least[i]);
+    if (most[i] - least[i] > 1e-9 * most[i]) text += " to " + number_text(most[i]);
   }
   return text;
 }
@@ -411,8 +421,8 @@ std::string derived_sentence(const Cell& cell, const InclusionGroup& group, int 
   const std::string count = "count " + std::to_string(bodies.size());
   const double reached = total_volume(bodies) / volume(cell);
   if (group.count && group.fraction) {
-    return start + lengths + (named_lengths(bodies.front()).size() > 1 ? " follow" : " follows") +
-           " from " + count + " and fraction " + number_text(*group.fraction);
+    return start + lengths + (is_round(group.shape) ? " follows" : " follow") + " from " + count +
+           " and fraction " + number_text(*group.fraction);
   }
   if (group.count) {
     return start + "fraction " + number_text(reached) + " follows from " + count + " and " +
@@ -475,7 +485,7 @@ std::vector<std::array<int, 3>> half_of_images(const Cell& cell, double reach) {
 }
 
 // A centrally symmetric body meets its image at s exactly when s / 2 lies inside it.
-void check_own_images(const Cell& cell, const Body& body, const std::string& what) {
+void check_own_images(const Cell& cell, const Body& body) {
   const double reach = 2.0 * circum_radius(body);
   if (reach <= std::min({cell.size.x, cell.size.y, cell.dimension == 2 ? reach : cell.size.z})) {
     return;
@@ -489,27 +499,30 @@ void check_own_images(const Cell& cell, const Body& body, const std::string& wha
     nearest = image;
   }
   if (!std::isfinite(least)) return;
-  refuse(what, lengths_text(body) + " overlaps its own periodic image [" +
-                   std::to_string(nearest[0]) + ", " + std::to_string(nearest[1]) + ", " +
-                   std::to_string(nearest[2]) + "]; make it smaller or the cell larger");
+  throw InvalidArgument(lengths_text(body) + " overlaps its own periodic image [" +
+                        std::to_string(nearest[0]) + ", " + std::to_string(nearest[1]) + ", " +
+                        std::to_string(nearest[2]) + "]; make it smaller or the cell larger");
 }
 
-void check_walls(const Cell& cell, const Body& body, const std::string& what) {
+void check_walls(const Cell& cell, const Body& body) {
   const Vec3 half = half_extents(body);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
     if (cell.periodic[axis] || 2.0 * half[axis] <= cell.size[axis] * (1.0 + 1e-12)) continue;
-    refuse(what, lengths_text(body) + ", turned as drawn, is " + number_text(2.0 * half[axis]) +
-                     " wide along " + "xyz"[axis] + ", allowed between the walls is " +
-                     number_text(cell.size[axis]));
+    throw InvalidArgument(lengths_text(body) + ", turned as drawn, is " +
+                          number_text(2.0 * half[axis]) + " wide along " + "xyz"[axis] +
+                          ", allowed between the walls is " + number_text(cell.size[axis]));
   }
 }
 
 void check_bodies(const Cell& cell, const InclusionGroup& group, int index,
                   const std::vector<Body>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::string what = label(group, index) + ": inclusion " + std::to_string(i);
-    check_walls(cell, bodies[i], what);
-    check_own_images(cell, bodies[i], what);
+    try {
+      check_walls(cell, bodies[i]);
+      check_own_images(cell, bodies[i]);
+    } catch (const InvalidArgument& problem) {
+      refuse(label(group, index) + ": inclusion " + std::to_string(i), problem.what());
+    }
   }
 }
 
@@ -527,9 +540,9 @@ double densest(ShapeKind shape) {
 }
 
 bool all_congruent(const std::vector<OrderedBody>& bodies) {
-  const auto first = named_lengths(bodies.front().body);
+  const Vec3 first = lengths_of(bodies.front().body);
   return std::all_of(bodies.begin(), bodies.end(), [&](const OrderedBody& b) {
-    return kind(b.body) == kind(bodies.front().body) && named_lengths(b.body) == first;
+    return kind(b.body) == kind(bodies.front().body) && lengths_of(b.body) == first;
   });
 }
 
