@@ -50,7 +50,7 @@ struct Bingham {
 [[nodiscard]] Vec3 bingham_moments(const Bingham& law);
 
 /// By rejection from the angular central Gaussian law with 1 / lambda_i = 1 + 2 kappa_i / b:
-/// J. T. Kent, A. M. Ganeiban, K. V. Mardia, J. Comput. Graph. Stat. 27 (2018) 291-301, section 3.
+/// J. T. Kent, A. M. Ganeiban, K. V. Mardia, J. Comput. Graph. Stat. 27 (2018) 291-301.
 /// Accepts at least half of the trials for rank 3.
 [[nodiscard]] Vec3 sample(const Bingham& law, RandomStream& random) noexcept;
 

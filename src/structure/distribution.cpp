@@ -268,6 +268,7 @@ Inverse weibull_by_volume(const WeibullLaw& law, int power) {
 // Weights as a running sum that ends in exactly 1.
 std::vector<double> cumulative(const std::vector<double>& weights) {
   std::vector<double> sums;
+  sums.reserve(weights.size());
   double sum = 0.0;
   for (double w : weights) sums.push_back(sum += w);
   for (double& s : sums) s /= sum;
@@ -284,6 +285,7 @@ std::vector<double> number_weights(const std::vector<double>& weights,
                                    const std::vector<double>& log_factor) {
   const double scale = *std::max_element(log_factor.begin(), log_factor.end());
   std::vector<double> result;
+  result.reserve(weights.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     result.push_back(weights[i] * std::exp(log_factor[i] - scale));
   }

@@ -25,9 +25,8 @@ void make_exact(std::vector<Vec3>& axes, const Vec3& target);
 
 /// The construction behind it, for any number of axes: the rows of the 3 x N matrix of axes are
 /// made orthogonal with norms sqrt(N target), then rotations of two columns each, which keep
-/// sum u u^T, bring one column after the other to length 1. T. F. Chan, K.-H. Li, Linear Algebra
-/// Appl. 51 (1983) 1-14; I. S. Dhillon, R. W. Heath, M. A. Sustik, J. A. Tropp, SIAM J. Matrix
-/// Anal. Appl. 27 (2005) 61-71.
+/// sum u u^T, bring one column after the other to length 1. I. S. Dhillon, R. W. Heath, M. A.
+/// Sustik, J. A. Tropp, SIAM J. Matrix Anal. Appl. 27 (2005) 61-71.
 [[nodiscard]] std::vector<Vec3> exact_axes(const std::vector<Vec3>& start, const Vec3& target);
 
 }  // namespace packstone

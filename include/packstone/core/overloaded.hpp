@@ -11,4 +11,8 @@ struct Overloaded : Ts... {
   using Ts::operator()...;
 };
 
+// Clang before 17 does not deduce the arguments of an aggregate by itself.
+template <class... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;
+
 }  // namespace packstone

@@ -111,7 +111,7 @@ struct Support {
 /// volume follows f. `power` is the power of the value that volume grows with, 1 to 3: 3 for a
 /// length in space, 2 for a length in the plane, 1 for a volume or an area. Closed forms:
 /// log-normal (mu falls by power sigma^2: J. Aitchison, J. A. C. Brown, The Lognormal Distribution,
-/// Cambridge 1957, theorem 2.6), uniform, constant, table. Normal and Weibull: a table of
+/// Cambridge 1957), uniform, constant, table. Normal and Weibull: a table of
 /// Gauss-Legendre panels, inverted to rounding.
 ///
 /// Errors:  those of check_distribution().
