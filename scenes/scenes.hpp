@@ -4,7 +4,9 @@
 /// Named, seeded inputs shared by tests, benchmarks and examples.
 
 #include <cstdint>
+#include <vector>
 
+#include "packstone/structure/inclusion_mix.hpp"
 #include "packstone/structure/packing.hpp"
 
 namespace packstone::scenes {
@@ -26,5 +28,18 @@ namespace packstone::scenes {
 /// `count` spherocylinders of aspect 100, turned at random, thrown into the periodic unit cube one
 /// by one to fill `fraction` (below 0.03). Free of overlap.
 [[nodiscard]] Packing needles(std::int64_t count, double fraction, std::uint64_t seed);
+
+/// The inclusions of Salnikov et al., Comput. Mech. 55 (2015) 127-144, tables II to VI, in the unit
+/// cube: `count_each` equal cylinders with length / diameter `aspect`, axes uniform on the sphere
+/// (group 0), then as many equal spheres (group 1). A cylinder that would meet its own image is
+/// turned again: it could stand nowhere.
+[[nodiscard]] std::vector<OrderedBody> cylinders_and_spheres(int count_each, double sphere_fraction,
+                                                             double cylinder_fraction,
+                                                             double aspect, std::uint64_t seed);
+
+/// `count` equal ellipsoids of revolution with semi-axes (aspect, 1, 1) times a length, turned
+/// uniformly, that fill `fraction` of the unit cube together.
+[[nodiscard]] std::vector<OrderedBody> equal_ellipsoids(std::int64_t count, double fraction,
+                                                        double aspect, std::uint64_t seed);
 
 }  // namespace packstone::scenes

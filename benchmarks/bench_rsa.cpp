@@ -1,0 +1,166 @@
+// Random sequential adsorption: the tables of Salnikov et al., and large numbers of ellipsoids.
+//
+//   bench_rsa tables [fixed|redraw] [runs] [count_each] [limit_s]
+//   bench_rsa scaling [largest count]
+//
+// Times are processor times of the call of rsa_pack alone.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "packstone/generate/rsa.hpp"
+#include "salnikov_2014.hpp"
+#include "scenes.hpp"
+
+namespace {
+
+using namespace packstone;
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+template <class T>
+T median(std::vector<T> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct Outcome {
+  double seconds = 0.0;
+  std::int64_t restarts = 0;
+  bool reached = false;
+  std::uint64_t hash = 0;
+};
+
+Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& options,
+                 double limit_s) {
+  RunContext run;
+  run.deadline(RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(
+                                              std::chrono::duration<double>(limit_s)));
+  const double before = processor_seconds();
+  const RsaResult result = rsa_pack(Cell{}, bodies, options, run);
+  const double seconds = processor_seconds() - before;
+  return {seconds, result.restarts, result.stop == RsaStop::target_reached,
+          scenes::state_hash(result.packing)};
+}
+
+struct Mode {
+  bool redraw;
+  int runs;
+  double limit_s;
+};
+
+// One cell of a table. printed < 0: blank.
+void run_cell(int n, double fs, double fc, double aspect, double printed, const Mode& mode) {
+  std::vector<double> seconds;
+  std::vector<std::int64_t> restarts;
+  int reached = 0;
+  std::uint64_t hash = 0;
+  for (int seed = 1; seed <= mode.runs; ++seed) {
+    const auto key = static_cast<std::uint64_t>(seed);
+    RsaOptions options;
+    options.order = RsaOrder::as_given;
+    options.seed = key;
+    if (mode.redraw) options.redraw_orientation = {true, false};
+    const auto bodies = scenes::cylinders_and_spheres(n, fs, fc, aspect, key);
+    const Outcome outcome = run_once(bodies, options, mode.limit_s);
+    seconds.push_back(outcome.seconds);
+    restarts.push_back(outcome.restarts);
+    reached += outcome.reached ? 1 : 0;
+    hash ^= outcome.hash;
+  }
+  const double ours = median(seconds);
+  const std::string paper = printed > 0 ? fmt::format("{:9.4f}", printed) : "    blank";
+  const std::string ratio = printed > 0 ? fmt::format("{:8.1f}", printed / ours) : "       -";
+  const char* verdict = printed <= 0 ? "" : printed / ours >= 20.0 ? "" : "  < 20";
+  fmt::print("{:3} {:5.2f} {:5.2f} {:3.0f} {} {:11.6f} {} {:4}/{} {:7} {:016x}{}\n", n, fs, fc,
+             aspect, paper, ours, ratio, reached, mode.runs, median(restarts), hash, verdict);
+  std::fflush(stdout);
+}
+
+// The blank cells next to filled ones: the next cylinder fraction of each row.
+std::vector<benchmarks::PrintedTime> with_blanks(const benchmarks::PrintedTable& table) {
+  std::vector<benchmarks::PrintedTime> cells = table.times;
+  for (const auto& cell : table.times) {
+    const auto in_table = [&](double fs, double fc) {
+      return std::any_of(cells.begin(), cells.end(), [&](const auto& other) {
+        return std::abs(other.sphere_fraction - fs) < 1e-9 &&
+               std::abs(other.cylinder_fraction - fc) < 1e-9;
+      });
+    };
+    const double next_fc = cell.cylinder_fraction + 0.05;
+    if (next_fc < 0.301 && !in_table(cell.sphere_fraction, next_fc)) {
+      cells.push_back({cell.sphere_fraction, next_fc, -1, -1});
+    }
+    const double next_fs = cell.sphere_fraction + 0.05;
+    if (next_fs < 0.301 && !in_table(next_fs, cell.cylinder_fraction)) {
+      cells.push_back({next_fs, cell.cylinder_fraction, -1, -1});
+    }
+  }
+  return cells;
+}
+
+void run_tables(const Mode& mode, int only_count, bool blanks) {
+  fmt::print("orientations {}; {} runs; processor time, median\n",
+             mode.redraw ? "redrawn" : "fixed", mode.runs);
+  fmt::print("  n    fs    fc   a   paper s      ours s    ratio reached restarts hash\n");
+  for (const auto& table : benchmarks::salnikov_tables()) {
+    if (only_count != 0 && table.count_each != only_count) continue;
+    for (const auto& cell : with_blanks(table)) {
+      for (const double aspect : {3.0, 5.0}) {
+        const double printed = aspect == 3.0 ? cell.aspect_3 : cell.aspect_5;
+        if ((printed < 0) != blanks) continue;
+        run_cell(table.count_each, cell.sphere_fraction, cell.cylinder_fraction, aspect, printed,
+                 mode);
+      }
+    }
+  }
+}
+
+void run_scaling(std::int64_t largest) {
+  fmt::print("equal ellipsoids, aspect 2, fraction 0.25; processor time, median\n");
+  fmt::print("   count     seconds   us each  peak MB  hash\n");
+  for (std::int64_t count = 1000; count <= largest; count *= 10) {
+    const int runs = count >= 100'000 ? 3 : 7;
+    std::vector<double> seconds;
+    std::uint64_t hash = 0;
+    const auto bodies = scenes::equal_ellipsoids(count, 0.25, 2.0, 1);
+    for (int k = 0; k < runs; ++k) {
+      RsaOptions options;
+      options.seed = 1;
+      const Outcome outcome = run_once(bodies, options, 600.0);
+      seconds.push_back(outcome.seconds);
+      hash = outcome.hash;
+    }
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const double s = median(seconds);
+    fmt::print("{:8} {:11.4f} {:9.2f} {:8} {:016x}\n", count, s,
+               1e6 * s / static_cast<double>(count), usage.ru_maxrss / 1024, hash);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "tables";
+  if (what == "scaling") {
+    run_scaling(argc > 2 ? std::atoll(argv[2]) : 100'000);
+    return 0;
+  }
+  Mode mode{argc > 2 && std::string(argv[2]) == "redraw", argc > 3 ? std::atoi(argv[3]) : 7,
+            argc > 5 ? std::atof(argv[5]) : 50.0};
+  run_tables(mode, argc > 4 ? std::atoi(argv[4]) : 0, what == "blanks");
+}

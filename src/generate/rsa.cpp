@@ -1,0 +1,394 @@
+#include "packstone/generate/rsa.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "generate/rsa/placed_bodies.hpp"
+#include "generate/rsa/pose.hpp"
+#include "generate/rsa/standing.hpp"
+#include "generate/rsa/trials.hpp"
+#include "generate/rsa/vacancy_list.hpp"
+#include "packstone/core/error.hpp"
+#include "packstone/core/random.hpp"
+#include "packstone/geometry/measures.hpp"
+
+namespace packstone {
+namespace {
+
+using rsa::Candidate;
+using rsa::Cost;
+using rsa::PlacedBodies;
+using rsa::Turning;
+using rsa::VacancyList;
+
+void check_options(const RsaOptions& options) {
+  if (!(options.min_gap >= 0.0) || !std::isfinite(options.min_gap)) {
+    throw InvalidArgument(
+        fmt::format("RsaOptions::min_gap is {}; it must be a finite number >= 0", options.min_gap));
+  }
+  if (options.max_trials < 1) {
+    throw InvalidArgument(
+        fmt::format("RsaOptions::max_trials is {}; it must be >= 1", options.max_trials));
+  }
+  if (options.max_restarts < 0) {
+    throw InvalidArgument(
+        fmt::format("RsaOptions::max_restarts is {}; it must be >= 0", options.max_restarts));
+  }
+  if (options.order != RsaOrder::largest_first && options.order != RsaOrder::as_given &&
+      options.order != RsaOrder::shuffled) {
+    throw InvalidArgument(
+        fmt::format("RsaOptions::order is {}; it must be largest_first, as_given or shuffled",
+                    static_cast<int>(options.order)));
+  }
+}
+
+bool is_redrawn(const RsaOptions& options, int group) {
+  return static_cast<std::size_t>(group) < options.redraw_orientation.size() &&
+         options.redraw_orientation[static_cast<std::size_t>(group)];
+}
+
+// Throws unless `ordered` is a body for this cell. `k` is its number in the order.
+void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
+                   const RsaOptions& options) {
+  try {
+    check_body(ordered.body);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(fmt::format("body {}: {}", k, error.what()));
+  }
+  const ShapeKind shape = kind(ordered.body);
+  if (dimension(shape) != cell.dimension) {
+    throw InvalidArgument(fmt::format("body {} is a {}, which has dimension {}; the cell has {}", k,
+                                      name(shape), dimension(shape), cell.dimension));
+  }
+  if (ordered.group < 0) {
+    throw InvalidArgument(fmt::format("body {}: group is {}; it must be >= 0", k, ordered.group));
+  }
+  const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options, ordered.group));
+  const auto reason = rsa::why_it_cannot_stand(cell, Candidate(ordered.body), options.min_gap,
+                                               turning != Turning::none);
+  if (reason) {
+    throw InvalidArgument(fmt::format("body {} ({}, group {}) cannot stand in the cell: {}", k,
+                                      name(shape), ordered.group, *reason));
+  }
+}
+
+void check_total_volume(const Cell& cell, const std::vector<OrderedBody>& bodies) {
+  double total = 0.0;
+  for (const OrderedBody& ordered : bodies) total += volume(ordered.body);
+  if (total > volume(cell)) {
+    throw InvalidArgument(fmt::format(
+        "the {} bodies have the total volume {:.6g}; it must be at most that of the cell, {:.6g}",
+        bodies.size(), total, volume(cell)));
+  }
+}
+
+std::vector<std::int64_t> sequence_of(const std::vector<OrderedBody>& bodies,
+                                      const RsaOptions& options) {
+  std::vector<std::int64_t> sequence(bodies.size());
+  std::iota(sequence.begin(), sequence.end(), 0);
+  if (options.order == RsaOrder::largest_first) {
+    std::vector<double> volumes;
+    volumes.reserve(bodies.size());
+    for (const OrderedBody& ordered : bodies) volumes.push_back(volume(ordered.body));
+    std::stable_sort(sequence.begin(), sequence.end(), [&](std::int64_t a, std::int64_t b) {
+      return volumes[static_cast<std::size_t>(a)] > volumes[static_cast<std::size_t>(b)];
+    });
+  } else if (options.order == RsaOrder::shuffled) {
+    RandomStream random(options.seed, StreamId::rsa_order);
+    for (std::size_t k = sequence.size(); k > 1; --k) {
+      std::swap(sequence[k - 1], sequence[random.below(k)]);
+    }
+  }
+  return sequence;
+}
+
+// Every start has streams of its own; the first one those of the seed.
+std::uint64_t key_of_start(std::uint64_t seed, std::int64_t start) {
+  if (start == 0) return seed;
+  constexpr std::uint64_t no_item = ~std::uint64_t{0};
+  return RandomStream(seed, StreamId::rsa_center, no_item, static_cast<std::uint64_t>(start))
+      .bits();
+}
+
+// How the search for a place for one body ended.
+enum class Search { placed, no_room, given_up, cancelled, out_of_time };
+
+Search as_search(StopRequest request) {
+  return request == StopRequest::cancelled ? Search::cancelled : Search::out_of_time;
+}
+
+constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
+
+// Places bodies one after another into one cell.
+class Adsorption {
+ public:
+  Adsorption(const Cell& cell, const RsaOptions& options, const RunContext& run,
+             std::int64_t expected)
+      : cell_(cell), options_(options), run_(run), placed_(cell, options.min_gap, expected) {}
+
+  void start(std::uint64_t key) {
+    key_ = key;
+    placed_.clear();
+    list_.reset();
+  }
+
+  // Body number `item` of the order.
+  Search place(const OrderedBody& ordered, std::int64_t item) {
+    if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
+      return as_search(stop);
+    }
+    const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options_, ordered.group));
+    const bool same = list_ && list_->turning() == turning && list_->body() == ordered.body;
+    if (!same) list_.reset();
+    candidate_ = Candidate(ordered.body);
+    trials_in_row_ = 0;
+    if (!same) {
+      const Search plain = try_anywhere(turning, item);
+      if (plain != Search::no_room) return plain;
+      list_.emplace(placed_, candidate_, turning);
+      list_cost_ = 0;
+    }
+    return try_vacancies(item);
+  }
+
+  [[nodiscard]] const PlacedBodies& placed() const { return placed_; }
+  [[nodiscard]] std::int64_t trials() const { return trials_; }
+
+ private:
+  struct Pose {
+    Candidate candidate;
+    Vec3 center;
+  };
+
+  // Trial k of a plain search: a center anywhere, an orientation of any kind.
+  Vec3 draw_center(const rsa::CenterBox& box, std::int64_t item, std::int64_t k) const {
+    RandomStream random(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item),
+                        static_cast<std::uint64_t>(k));
+    Vec3 center{0, 0, 0};
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell_.dimension); ++axis) {
+      center[axis] = std::min(random.uniform(box.lo[axis], box.hi[axis]), box.hi[axis]);
+    }
+    return wrapped(cell_, center);
+  }
+  Candidate draw_turned(Turning turning, std::int64_t item, std::int64_t k) const {
+    RandomStream random(key_, StreamId::rsa_orientation, static_cast<std::uint64_t>(item),
+                        static_cast<std::uint64_t>(k));
+    return Candidate(rsa::turned_at_random(candidate_.body, turning, random));
+  }
+
+  // Search::no_room here only means that plain trials have cost enough.
+  Search try_anywhere(Turning turning, std::int64_t item) {
+    const bool turns = turning != Turning::none;
+    const double r = candidate_.outline.in_radius;
+    const auto box =
+        rsa::centers_inside_walls(cell_, turns ? Vec3{r, r, r} : candidate_.half_extents);
+    const auto trial = [&](std::int64_t k, std::int64_t& cost) {
+      cost += Cost::trial;
+      const Vec3 center = draw_center(box, item, k);
+      if (!turns) return placed_.leaves_room_for(candidate_, center, cost);
+      const Candidate turned = draw_turned(turning, item, k);
+      cost += Cost::trial;
+      return placed_.leaves_room_for(turned, center, cost) &&
+             rsa::is_inside(rsa::centers_inside_walls(cell_, turned.half_extents), center,
+                            cell_.dimension) &&
+             rsa::clears_own_images(cell_, turned, options_.min_gap);
+    };
+    const rsa::TrialRun outcome =
+        rsa::run_trials(0, options_.max_trials, plain_budget(turning), run_, trial);
+    return conclude(outcome, [&](std::int64_t k) {
+      const Vec3 center = draw_center(box, item, k);
+      placed_.add(turns ? draw_turned(turning, item, k) : candidate_, center);
+    });
+  }
+
+  Search try_vacancies(std::int64_t item) {
+    const auto draw = [&](std::int64_t k, Candidate& turned) {
+      RandomStream random(key_, StreamId::rsa_voxel, static_cast<std::uint64_t>(item),
+                          static_cast<std::uint64_t>(k));
+      return list_->draw(random, turned);
+    };
+    const auto trial = [&](std::int64_t k, std::int64_t& cost) {
+      Candidate turned;
+      return list_->fits(draw(k, turned), cost);
+    };
+    while (list_->size() > 0) {
+      const std::int64_t budget = list_->can_split() ? trial_budget() : kNoBudget;
+      const rsa::TrialRun outcome =
+          rsa::run_trials(trials_in_row_, options_.max_trials, budget, run_, trial);
+      const Search search = conclude(outcome, [&](std::int64_t k) {
+        Candidate turned;
+        const VacancyList::Pose pose = draw(k, turned);
+        placed_.add(*pose.candidate, wrapped(cell_, pose.center));
+        list_->add_last_placed();
+      });
+      if (search != Search::no_room) return search;
+      list_cost_ += list_->split(run_);
+      usual_list_cost_ = std::max(list_cost_, usual_list_cost_ / 2);
+      if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
+        return as_search(stop);
+      }
+    }
+    return Search::no_room;
+  }
+
+  template <class Accept>
+  Search conclude(const rsa::TrialRun& outcome, Accept&& accept) {
+    trials_ += outcome.tried;
+    trials_in_row_ += outcome.tried;
+    if (outcome.accepted >= 0) {
+      accept(outcome.accepted);
+      return Search::placed;
+    }
+    if (outcome.stop != StopRequest::none) return as_search(outcome.stop);
+    return trials_in_row_ >= options_.max_trials ? Search::given_up : Search::no_room;
+  }
+
+  // Trials before the next split get as much as the split will cost, times the part of the cells
+  // that splits keep: where splitting thins the list fast, trials can wait.
+  std::int64_t trial_budget() const {
+    return static_cast<std::int64_t>(static_cast<double>(list_->expected_split_cost()) *
+                                     list_->kept_by_last_split());
+  }
+
+  // What a list of vacancies is likely to cost: what the last one has cost, or a guess.
+  std::int64_t plain_budget(Turning turning) const {
+    if (usual_list_cost_ > 0) return usual_list_cost_;
+    return (turning == Turning::none ? 200 : 4000) * (20 + std::int64_t{placed_.size()});
+  }
+
+  const Cell& cell_;
+  const RsaOptions& options_;
+  const RunContext& run_;
+  PlacedBodies placed_;
+  std::optional<VacancyList> list_;  // For candidate_ and its like, when plain trials did not do.
+  Candidate candidate_;
+  std::uint64_t key_ = 0;
+  std::int64_t trials_ = 0;
+  std::int64_t trials_in_row_ = 0;
+  std::int64_t list_cost_ = 0;
+  std::int64_t usual_list_cost_ = 0;
+};
+
+RsaStop stop_of(Search search) {
+  switch (search) {
+    case Search::placed:
+      return RsaStop::target_reached;
+    case Search::no_room:
+      return RsaStop::saturated;
+    case Search::given_up:
+      return RsaStop::given_up;
+    case Search::cancelled:
+      return RsaStop::cancelled;
+    case Search::out_of_time:
+      break;
+  }
+  return RsaStop::out_of_time;
+}
+
+// The fullest state so far, in the order in which the bodies were given.
+struct Kept {
+  double volume = -1.0;
+  RsaStop stop = RsaStop::target_reached;
+  std::vector<Inclusion> inclusions;
+};
+
+std::vector<Inclusion> in_given_order(const PlacedBodies& placed,
+                                      const std::vector<OrderedBody>& bodies,
+                                      const std::vector<std::int64_t>& sequence) {
+  std::vector<std::int32_t> placed_as(bodies.size(), -1);
+  for (std::int32_t k = 0; k < placed.size(); ++k) {
+    placed_as[static_cast<std::size_t>(sequence[static_cast<std::size_t>(k)])] = k;
+  }
+  std::vector<Inclusion> inclusions;
+  inclusions.reserve(static_cast<std::size_t>(placed.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::int32_t k = placed_as[i];
+    if (k >= 0) inclusions.push_back({placed.center(k), placed.body(k), bodies[i].group});
+  }
+  return inclusions;
+}
+
+}  // namespace
+
+std::string_view name(RsaStop stop) noexcept {
+  constexpr std::string_view names[] = {"target_reached", "saturated", "given_up", "cancelled",
+                                        "out_of_time"};
+  return names[static_cast<int>(stop)];
+}
+
+RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                   const RsaOptions& options, RunContext run) {
+  check_cell(cell);
+  check_options(options);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    check_ordered(cell, bodies[k], static_cast<std::int64_t>(k), options);
+  }
+  check_total_volume(cell, bodies);
+
+  const std::vector<std::int64_t> sequence = sequence_of(bodies, options);
+  const auto count = static_cast<std::int64_t>(bodies.size());
+  Adsorption adsorption(cell, options, run, count);
+  RsaResult result;
+  Kept best;
+  for (std::int64_t start = 0;; ++start) {
+    adsorption.start(key_of_start(options.seed, start));
+    Search search = Search::placed;
+    double placed_volume = 0.0;
+    for (std::int64_t k = 0; k < count; ++k) {
+      const std::int64_t item = sequence[static_cast<std::size_t>(k)];
+      const OrderedBody& ordered = bodies[static_cast<std::size_t>(item)];
+      search = adsorption.place(ordered, item);
+      if (search != Search::placed) break;
+      placed_volume += volume(ordered.body);
+      run.report({"adsorbing", static_cast<double>(k + 1) / static_cast<double>(count),
+                  placed_volume / volume(cell), k + 1, count});
+    }
+    if (placed_volume > best.volume) {
+      best = {placed_volume, stop_of(search),
+              in_given_order(adsorption.placed(), bodies, sequence)};
+    }
+    result.restarts = start;
+    const bool interrupted = search == Search::cancelled || search == Search::out_of_time;
+    if (interrupted) best.stop = stop_of(search);
+    if (search == Search::placed || interrupted || start == options.max_restarts) break;
+  }
+  result.packing.cell = cell;
+  result.packing.inclusions = std::move(best.inclusions);
+  result.stop = best.stop;
+  result.trials = adsorption.trials();
+  return result;
+}
+
+RsaResult rsa_fill(const Cell& cell, const BodySource& source, const RsaOptions& options,
+                   RunContext run) {
+  check_cell(cell);
+  check_options(options);
+  constexpr std::int64_t many = 100'000;
+  Adsorption adsorption(cell, options, run, many);
+  adsorption.start(options.seed);
+  RsaResult result;
+  result.packing.cell = cell;
+  double placed_volume = 0.0;
+  Search search = Search::placed;
+  for (std::int64_t k = 0; search == Search::placed; ++k) {
+    const OrderedBody ordered = source(k);
+    check_ordered(cell, ordered, k, options);
+    search = adsorption.place(ordered, k);
+    if (search != Search::placed) break;
+    const PlacedBodies& placed = adsorption.placed();
+    const auto last = placed.size() - 1;
+    result.packing.inclusions.push_back({placed.center(last), placed.body(last), ordered.group});
+    placed_volume += volume(ordered.body);
+    run.report({"adsorbing", -1.0, placed_volume / volume(cell), k + 1, 0});
+  }
+  result.stop = stop_of(search);
+  result.trials = adsorption.trials();
+  return result;
+}
+
+}  // namespace packstone

@@ -1,0 +1,117 @@
+#pragma once
+
+/// @file
+/// The bodies that stand, and the question whether one more may stand somewhere.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "generate/rsa/outline.hpp"
+#include "packstone/core/cell.hpp"
+#include "packstone/geometry/body.hpp"
+#include "packstone/spatial/hierarchical_grid.hpp"
+
+namespace packstone::rsa {
+
+/// Costs of the steps of a trial and of a test of a vacancy, in units of about 10 ns. Decisions on
+/// how to go on rest on these counts, never on clocks, so that they are the same everywhere.
+struct Cost {
+  static constexpr std::int64_t trial = 8;    ///< Random numbers, and what is done once per trial.
+  static constexpr std::int64_t pair = 1;     ///< A look at a pair of balls.
+  static constexpr std::int64_t glance = 2;   ///< A look at a pair of outlines.
+  static constexpr std::int64_t kernel = 30;  ///< The exact test.
+};
+
+/// A body on trial, with what every trial needs to know of it.
+struct Candidate {
+  Body body;
+  Outline outline;
+  Vec3 half_extents;
+
+  Candidate() = default;
+  explicit Candidate(const Body& from);
+};
+
+/// One periodic image of a placed body.
+struct PlacedImage {
+  Vec3 center;
+  std::int32_t body = 0;  ///< Index of the placed body.
+};
+
+/// Is the pair proven to keep more than `min_gap`?
+[[nodiscard]] bool proven_apart(const Body& a, const Outline& outline_a, const Body& b,
+                                const Outline& outline_b, const Vec3& r_ab,
+                                double min_gap) noexcept;
+
+/// Bodies placed so far. Few of them are searched one by one, many with a grid.
+class PlacedBodies {
+ public:
+  /// @param expected  Bodies that will be placed; decides how they are searched.
+  PlacedBodies(const Cell& cell, double min_gap, std::int64_t expected);
+
+  void clear();
+  void add(const Candidate& candidate, const Vec3& center);
+
+  [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(bodies_.size()); }
+  [[nodiscard]] const Cell& cell() const { return cell_; }
+  [[nodiscard]] double min_gap() const { return min_gap_; }
+  [[nodiscard]] const Body& body(std::int32_t i) const { return bodies_[i].body; }
+  [[nodiscard]] const Outline& outline(std::int32_t i) const { return bodies_[i].outline; }
+  [[nodiscard]] const Vec3& center(std::int32_t i) const { return bodies_[i].center; }
+
+  /// Does `candidate`, centered at `center` inside the cell, keep its distance from all bodies that
+  /// stand? Its own images and the walls are not looked at. Adds to `cost`.
+  [[nodiscard]] bool leaves_room_for(const Candidate& candidate, const Vec3& center,
+                                     std::int64_t& cost) const;
+
+  /// All images that can come within `reach` + min_gap of a point of the box [lo, hi], where reach
+  /// is the circumscribed radius of the body whose center the point is.
+  [[nodiscard]] std::vector<PlacedImage> images_near(const Vec3& lo, const Vec3& hi,
+                                                     double reach) const;
+  /// The same of body `i` alone; appends to `images`.
+  void add_images_near(std::int32_t i, const Vec3& lo, const Vec3& hi, double reach,
+                       std::vector<PlacedImage>& images) const;
+
+ private:
+  struct Placed {
+    Body body;
+    Outline outline;
+    Vec3 center;
+  };
+  // A pair that the balls of outlines do not settle.
+  struct Near {
+    std::int32_t body;
+    Vec3 r;  // From the candidate.
+  };
+  class NearPairs;
+
+  bool search_all(const Candidate& candidate, const Vec3& center, NearPairs& near,
+                  std::int64_t& cost) const;
+  bool add_farther_images(std::int32_t body, const Vec3& r, double reach, NearPairs& near) const;
+  bool add_all_farther_images(std::int32_t body, const Vec3& r, double far, NearPairs& near) const;
+  bool search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near) const;
+
+  // Coordinates in 2^-32 of the period, which wrap around as the cell does.
+  struct GridPoint {
+    std::uint32_t x, y, z;
+  };
+  [[nodiscard]] GridPoint grid_point(const Vec3& p) const;
+  [[nodiscard]] Vec3 nearest_image(const Vec3& d) const;
+
+  Cell cell_;
+  double min_gap_;
+  bool use_grid_;
+  double shortest_period_;            // Infinite without periodic axes.
+  std::array<double, 3> period_;      // 0 along axes that are not periodic.
+  std::array<double, 3> per_period_;  // 1 / period, or 0.
+  std::array<double, 3> grid_step_;   // Of the coarse coordinates; 0 along z in 2D [L].
+  double largest_circum_radius_ = 0.0;
+  std::vector<Placed> bodies_;
+  // For the search one by one: coordinates apart, so that the compiler uses vector registers.
+  std::vector<std::uint32_t> x_, y_, z_;
+  std::vector<float> reach_;
+  HierarchicalGrid grid_;
+};
+
+}  // namespace packstone::rsa
