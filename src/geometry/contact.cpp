@@ -7,6 +7,7 @@
 #include "geometry/convex_contact.hpp"
 #include "geometry/proof.hpp"
 #include "packstone/geometry/cylinder_contact.hpp"
+#include "packstone/geometry/ellipse_contact.hpp"
 #include "packstone/geometry/ellipsoid_contact.hpp"
 #include "packstone/geometry/sphere_contact.hpp"
 

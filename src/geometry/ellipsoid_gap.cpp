@@ -101,7 +101,7 @@ class GapSearch {
  public:
   GapSearch(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r)
       : a_(a), b_(b), r_(r), size_(norm(r) + a_.pose.largest + b_.pose.largest) {
-    roundoff_ = gap_roundoff(a_.pose, b_.pose, r);
+    roundoff_ = kProofRoundoff * size_;
     // A support point is off by the rounding of D R^T d times the semi-axes over the support.
     tangent_roundoff_ =
         kSupportRoundoff * (size_ + a_.pose.largest * (a_.pose.largest / a_.pose.least) +

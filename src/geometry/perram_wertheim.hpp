@@ -3,15 +3,19 @@
 /// @file
 /// The one-parameter search behind the contact of two ellipsoids or two ellipses.
 ///
-/// A pencil knows the shape matrices A and B and the separation r, and gives for k > 0 a vector
-/// n(k) along (A + kB)^-1 r with its derivative. With k = l / (1-l) these are the vectors of
-/// equation (1) in ellipsoid_contact.hpp; k is kept in place of l because bodies of very different
-/// sizes meet at l next to 0 or 1, where 1-l has no digits left. n may carry any positive factor:
-/// everything below is homogeneous in it.
+/// A Pencil is built from two posed bodies and r. It knows the shape matrices A and B and the
+/// separation r, and gives for k > 0 a vector n(k) along (A + kB)^-1 r with its derivative. With k
+/// = l / (1-l) these are the vectors of equation (1) in ellipsoid_contact.hpp; k is kept in place
+/// of l because bodies of very different sizes meet at l next to 0 or 1, where 1-l has no digits
+/// left. n may carry any positive factor: everything below is homogeneous in it.
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "packstone/core/tolerances.hpp"
+#include "packstone/core/vec.hpp"
+#include "packstone/geometry/contact.hpp"
 
 namespace packstone {
 
@@ -60,6 +64,125 @@ bool search_pencil(const Pencil& pencil, double start, const Visit& visit) {
     k = next;
   }
   return false;
+}
+
+/// A pair with the two proofs that a verdict may rest on. Posed is PosedEllipsoid or PosedEllipse.
+template <class Posed>
+struct PosedPair {
+  Posed a, b;
+  Vec3 r;
+  double roundoff;  ///< What rounding may add to g(d), see kProofRoundoff [L].
+
+  template <class Body>
+  PosedPair(const Body& body_a, const Body& body_b, const Vec3& r_ab)
+      : a(body_a),
+        b(body_b),
+        r(r_ab),
+        roundoff(kProofRoundoff * (norm(r_ab) + a.largest + b.largest)) {}
+
+  /// Certainly at most g(d), equation (1) of contact.hpp.
+  double proven_gap(const Vec3& d) const {
+    return dot(d, r) - a.support(d) - b.support(d) - roundoff;
+  }
+  /// Certainly at most mu: d separates the bodies scaled by less, equation (2).
+  double proven_scale(const Vec3& d) const {
+    const double rounding = 4 * kUnitRoundoff * norm(r);
+    return (dot(d, r) - rounding) / ((a.support(d) + b.support(d)) * (1.0 + kSupportRoundoff));
+  }
+  /// Certainly at least mu: both bodies scaled by it hold the point, equation (3). It is given from
+  /// both centers; the one of the thinner body is believed, since there a rounding costs more.
+  double holding_scale(Vec3 from_a, Vec3 from_b) const {
+    if (a.least < b.least) {
+      from_b = from_a - r;
+    } else {
+      from_a = from_b + r;
+    }
+    return std::max(a.level_bound(from_a), b.level_bound(from_b));
+  }
+  bool both_contain(const Vec3& x) const { return a.contains(x) && b.contains(x - r); }
+};
+
+/// A unit vector along r where it has a direction.
+inline Vec3 any_direction(const Vec3& r) {
+  const double length = norm(r);
+  return length > 0.0 ? r / length : Vec3{1, 0, 0};
+}
+
+/// Balls about and in the bodies, before anything is rotated.
+inline Decision decide_by_balls(double least_a, double largest_a, double least_b, double largest_b,
+                                const Vec3& r, double min_gap) {
+  const double apart_sq = norm_sq(r);
+  // The slack covers the proof as proven_gap() and contains() evaluate it, not only the truth.
+  const double outer = (largest_a + largest_b + min_gap) * (1.0 + 8 * kProofRoundoff);
+  const double inner = (least_a + least_b) * (1.0 - 8 * kProofRoundoff);
+  if (apart_sq > outer * outer) return {Verdict::separated, r / std::sqrt(apart_sq)};
+  if (apart_sq >= inner * inner) return {};
+  const Vec3 shared = (least_a / (least_a + least_b)) * r;
+  return {Verdict::overlapping, min_gap > 0.0 ? any_direction(r) : shared};
+}
+
+/// Walks along k until a direction proves a gap above `min_gap`, or a point that the bare bodies
+/// overlap.
+template <class Pencil, class Posed>
+Decision decide_by_pencil(const PosedPair<Posed>& pair, double min_gap) {
+  const double support_a = pair.a.support(pair.r), support_b = pair.b.support(pair.r);
+  if (norm_sq(pair.r) > support_a + support_b) {
+    const Vec3 d = normalized(pair.r);
+    if (pair.proven_gap(d) > min_gap) return {Verdict::separated, d};
+  }
+  Decision decision;
+  const Pencil pencil(pair.a, pair.b, pair.r);
+  search_pencil(pencil, support_a / support_b, [&](const PencilSample& sample) {
+    if (sample.separates()) {
+      const Vec3 d = normalized(pair.a.to_cell(pencil.direction(sample.k)));
+      if (pair.proven_gap(d) <= min_gap) return false;
+      decision = {Verdict::separated, d};
+      return true;
+    }
+    if (!sample.shares_point()) return false;
+    const Vec3 point = pair.a.to_cell(pencil.point(sample));
+    if (!pair.both_contain(point)) return false;
+    decision = {Verdict::overlapping, min_gap > 0.0 ? any_direction(pair.r) : point};
+    return true;
+  });
+  return decision;
+}
+
+/// The verdict that a gap with its error supports.
+inline Decision decide_by_gap(const Gap& gap, double min_gap) {
+  if (gap.value - gap.error > min_gap) return {Verdict::separated, gap.normal};
+  if (gap.value + gap.error <= min_gap) return {Verdict::overlapping, gap.normal};
+  return {Verdict::undecided, gap.normal};
+}
+
+/// Where rounding of the pencil leaves both proofs open: the gap itself, whose direction does not
+/// depend on Y, and the middle of the overlap along it.
+template <class Posed>
+Decision decide_closely(const PosedPair<Posed>& pair, const Gap& gap, double min_gap) {
+  if (pair.proven_gap(gap.normal) > min_gap) return {Verdict::separated, gap.normal};
+  if (min_gap > 0.0) return decide_by_gap(gap, min_gap);
+  const Vec3 middle = 0.5 * (gap.point_a + gap.point_b);
+  if (pair.both_contain(middle)) return {Verdict::overlapping, middle};
+  return {Verdict::undecided, gap.normal};
+}
+
+/// Bracket of mu from (2) and (3), as narrow as rounding allows but not below 2e-13.
+template <class Pencil, class Posed>
+ContactScale scale_by_pencil(const PosedPair<Posed>& pair) {
+  constexpr double kWidth = 2e-13;
+  if (pair.r == Vec3{}) return {};
+  const Pencil pencil(pair.a, pair.b, pair.r);
+  ContactScale scale{0.0, std::numeric_limits<double>::infinity()};
+  search_pencil(
+      pencil, pair.a.support(pair.r) / pair.b.support(pair.r), [&](const PencilSample& sample) {
+        const Vec3 d = normalized(pair.a.to_cell(pencil.direction(sample.k)));
+        scale.lower = std::max(scale.lower, pair.proven_scale(d));
+        const auto [from_a, from_b] = pencil.refined_ends(sample);
+        scale.upper = std::min(scale.upper,
+                               pair.holding_scale(pair.a.to_cell(from_a), pair.a.to_cell(from_b)));
+        return scale.upper - scale.lower <= kWidth * scale.upper;
+      });
+  return scale;
 }
 
 }  // namespace packstone

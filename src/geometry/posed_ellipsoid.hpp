@@ -11,7 +11,6 @@
 #include "packstone/core/quaternion.hpp"
 #include "packstone/core/tolerances.hpp"
 #include "packstone/geometry/body.hpp"
-#include "packstone/geometry/contact.hpp"
 
 namespace packstone {
 
@@ -28,6 +27,7 @@ struct PosedEllipsoid {
         largest(std::max({axes.x, axes.y, axes.z})) {}
 
   Vec3 to_body(const Vec3& v) const { return mul_transposed(rotation, v); }
+  Vec3 to_cell(const Vec3& v) const { return rotation * v; }
   double support(const Vec3& d) const { return norm(scale(axes, to_body(d))); }
   Vec3 support_point(const Vec3& d) const {
     const Vec3 v = scale(axes, to_body(d));
@@ -44,13 +44,5 @@ struct PosedEllipsoid {
     return level(x) <= 1.0 - kSupportRoundoff * std::max(1.0, norm(x) / least);
   }
 };
-
-/// What rounding may add to g(d) of the pair, see kProofRoundoff [L].
-inline double gap_roundoff(const PosedEllipsoid& a, const PosedEllipsoid& b, const Vec3& r) {
-  return kProofRoundoff * (norm(r) + a.largest + b.largest);
-}
-
-/// The verdict that a gap with its error supports when `min_gap` is asked for.
-[[nodiscard]] Decision decide_by_gap(const Gap& gap, double min_gap) noexcept;
 
 }  // namespace packstone
