@@ -291,12 +291,9 @@ void turn_in_plane(std::vector<Body>& bodies, const InclusionGroup& group, int i
 void turn_bodies(std::vector<Body>& bodies, const InclusionGroup& group, int index,
                  std::uint64_t seed, std::int64_t first, Correction correction) {
   if (is_round(group.shape)) return;
-  if (group.shape == ShapeKind::ellipse) {
-    turn_in_plane(bodies, group, index, seed, first, correction);
-    return;
-  }
   try {
-    turn_in_space(bodies, group, index, seed, first, correction);
+    const auto turn = group.shape == ShapeKind::ellipse ? turn_in_plane : turn_in_space;
+    turn(bodies, group, index, seed, first, correction);
   } catch (const InvalidArgument& problem) {
     refuse(label(group, index), problem.what());
   }

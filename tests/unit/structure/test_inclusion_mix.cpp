@@ -348,6 +348,9 @@ TEST_CASE("shapes, measures and laws that do not fit are refused") {
   group = ordered(ShapeKind::cylinder, 2, 0.1);
   group.orientation = TensorOrientation{};
   refused(kCube, {group}, "group 'beads': an orientation tensor of rank 3");
+  InclusionGroup single = ordered(ShapeKind::ellipse, 1, 0.1);
+  single.orientation = TensorOrientation{{0.5, 0.5, 0, 0, 0, 0}};
+  refused(kSquare, {single}, "group 'beads': an orientation tensor of rank 2");
   group.orientation = AngleOrientation{};
   refused(kCube, {group}, "group 'beads': orientation.degrees is for 2D");
   group = group_of(ShapeKind::cylinder);
