@@ -40,10 +40,9 @@ Layout layout_for(const std::array<double, 3>& width, double per_width, double c
 }  // namespace
 
 HierarchicalGrid::Chunk::Chunk() noexcept {
-  for (std::size_t a = 0; a < 3; ++a) {
-    std::fill_n(lo[a], kLanes, std::numeric_limits<float>::infinity());
-    std::fill_n(hi[a], kLanes, -std::numeric_limits<float>::infinity());
-  }
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  for (Floats& lanes : lo) lanes = Floats{inf, inf, inf, inf};
+  for (Floats& lanes : hi) lanes = -Floats{inf, inf, inf, inf};
   std::fill_n(id, kLanes, -1);
 }
 

@@ -4,6 +4,7 @@
 /// Which bodies come near this one? A hierarchy of grids over the cell, periodic images included.
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -76,6 +77,10 @@ class HierarchicalGrid {
 
  private:
   static constexpr int kLanes = 4;
+  // Four numbers side by side, in one register of any processor of the last twenty years. Without
+  // this the compilers compare lane by lane: measured, queries take twice as long.
+  using Floats = float __attribute__((vector_size(16)));
+  using Flags = std::int32_t __attribute__((vector_size(16)));
   // Above all that floats in units of the cell edge add to an extent; 2^-22 of the edge.
   static constexpr double kFloatSlack = 0x1p-22;
 
@@ -95,8 +100,8 @@ class HierarchicalGrid {
   };
   // Up to four bodies of one grid cell, lane by lane. Free lanes hold the box [inf, -inf].
   struct alignas(128) Chunk {
-    float lo[3][kLanes];
-    float hi[3][kLanes];
+    Floats lo[3];
+    Floats hi[3];
     std::int32_t id[kLanes];
     std::int32_t next = -1;
     std::int32_t count = 0;
@@ -192,15 +197,13 @@ class HierarchicalGrid {
   static bool visit_chain(const Level& level, std::size_t head, const FloatBox& seen,
                           const Image& image, Visit& visit) {
     for (const Chunk* chunk = &level.chunks[head];; chunk = &level.chunks[chunk->next]) {
-      std::int32_t hit[kLanes];
-      for (int l = 0; l < kLanes; ++l) {
-        hit[l] = (chunk->lo[0][l] <= seen.hi[0]) & (chunk->hi[0][l] >= seen.lo[0]) &
-                 (chunk->lo[1][l] <= seen.hi[1]) & (chunk->hi[1][l] >= seen.lo[1]) &
-                 (chunk->lo[2][l] <= seen.hi[2]) & (chunk->hi[2][l] >= seen.lo[2]);
-      }
-      if (hit[0] | hit[1] | hit[2] | hit[3]) {
+      const Flags hit = (chunk->lo[0] <= seen.hi[0]) & (chunk->hi[0] >= seen.lo[0]) &
+                        (chunk->lo[1] <= seen.hi[1]) & (chunk->hi[1] >= seen.lo[1]) &
+                        (chunk->lo[2] <= seen.hi[2]) & (chunk->hi[2] >= seen.lo[2]);
+      const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(hit);
+      if ((halves[0] | halves[1]) != 0) {
         for (int l = 0; l < kLanes; ++l) {
-          if (hit[l] && !visit(chunk->id[l], image)) return false;
+          if (hit[l] != 0 && !visit(chunk->id[l], image)) return false;
         }
       }
       if (chunk->next < 0) return true;
