@@ -12,10 +12,10 @@ namespace packstone {
 
 /// Options of export_packing().
 struct ExportOptions {
-  /// Segments around a full circle of a curved surface [-]. >= 8.
+  /// Segments around a full circle of a curved surface [-]. 8 to 4096.
   int segments = 32;
 
-  /// Also write the periodic images that reach into the cell.
+  /// Also write the periodic images whose bounding box reaches into the cell.
   bool images = false;
 };
 
@@ -23,8 +23,11 @@ struct ExportOptions {
 /// inclusion as cell data: inclusion, group, shape, volume, ...), `.stl` (binary; 3D only), `.csv`
 /// (one line per inclusion).
 ///
-/// Errors: throws InvalidArgument for an unknown ending or STL of a 2D packing, FileError when the
-///         file cannot be written.
+/// docs/exports.md lists the fields. Files are written whole or not at all.
+///
+/// Errors: throws InvalidArgument for an unknown ending, STL of a 2D packing, an option out of
+/// range
+///         or a packing that is not well formed, FileError when the file cannot be written.
 void export_packing(const std::filesystem::path& path, const Packing& packing,
                     const ExportOptions& options = {});
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "packstone/io/packing_file.hpp"
+#include "support/python.hpp"
 #include "support/random_packing.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -45,6 +46,27 @@ TEST_CASE("the same packing makes the same HDF5 file, byte for byte") {
   write_packing(folder / "a.h5", packing);
   write_packing(folder / "b.h5", packing);
   REQUIRE(test::content_of(folder / "a.h5") == test::content_of(folder / "b.h5"));
+}
+
+TEST_CASE("h5py reads from the HDF5 file what the JSON file says") {
+  const test::TemporaryFolder folder;
+  for (int dimension = 2; dimension <= 3; ++dimension) {
+    const Packing packing = test::random_packing(dimension, 100, 7);
+    write_packing(folder / "packing.h5", packing);
+    write_packing(folder / "packing.json", packing);
+    test::run_python("compare_h5.py",
+                     (folder / "packing.h5").string() + " " + (folder / "packing.json").string());
+  }
+}
+
+TEST_CASE("a file that h5py wrote the plain way is read") {
+  const Packing packing =
+      read_packing(std::string(PACKSTONE_FUZZ_CORPUS) + "packing_hdf5/by_h5py.h5");
+  CHECK(packing.cell == Cell{3, {1, 2, 3}, {true, true, false}});
+  CHECK(packing.groups == std::vector<std::string>{"balls", "rods"});
+  const std::vector<Inclusion> expected{{{0.1, 0.2, 0.3}, Sphere{0.1}, 0},
+                                        {{0.5, 0.5, 0.5}, Cylinder{0.05, 0.2, {0, 0, 1}}, 1}};
+  CHECK(packing.inclusions == expected);
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#include "support/reader_oracles.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "packstone/core/error.hpp"
+#include "packstone/io/packing_file.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace packstone::test {
+namespace {
+
+template <class Read>
+std::optional<Packing> accepted(Read read) {
+  try {
+    return read();
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+}
+
+// What a reader accepted any writer must take, and the text must say the same again.
+bool survives_rewriting(const std::optional<Packing>& packing) {
+  if (!packing) return false;
+  const std::string text = packing_to_json(*packing);
+  if (packing_to_json(packing_from_json(text, "rewritten")) != text) {
+    throw std::logic_error("a packing changed on its way through a file");
+  }
+  return true;
+}
+
+}  // namespace
+
+bool json_reader_holds(std::string_view text) {
+  return survives_rewriting(accepted([&] { return packing_from_json(text, "any bytes"); }));
+}
+
+bool hdf5_reader_holds(std::string_view bytes) {
+  // One folder and name for all calls: a fuzz target comes here a thousand times a second.
+  static const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "any_bytes.h5";
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+  return survives_rewriting(accepted([&] { return read_packing(path); }));
+}
+
+}  // namespace packstone::test
