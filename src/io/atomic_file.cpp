@@ -18,14 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path follow_links(fs::path path) {
-  // 40 is the kernel's own limit; a longer chain fails in open() with the system's message.
-  for (int hop = 0; hop < 40; ++hop) {
+  const fs::path first = path;
+  constexpr int kMostLinks = 40;  // the kernel's own limit
+  for (int hop = 0; hop < kMostLinks; ++hop) {
     std::error_code problem;
     const fs::path next = fs::read_symlink(path, problem);
     if (problem) return path;
     path = path.parent_path() / next;
   }
-  return path;
+  throw FileError(first.string() +
+                  ": cannot be written: " + std::generic_category().message(ELOOP));
 }
 
 // Unique among the threads of this process by the counter, among processes by the number.

@@ -111,6 +111,11 @@ void check_hdf5(herr_t status, const std::string& what) {
   if (status < 0) refuse(what, library_reason());
 }
 
+void refuse_variable_text(hid_t type, const std::string& what) {
+  if (H5Tis_variable_str(type) == 0) return;
+  refuse(what, "must be text of fixed length (numpy type S), not of variable length");
+}
+
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : name.empty() ? folder : folder + "/" + name;
 }
@@ -325,24 +330,13 @@ std::vector<std::int64_t> Hdf5Fields::read_integers(const Dataset& dataset) {
 
 std::vector<std::string> Hdf5Fields::read_texts(const Dataset& dataset) {
   if (dataset.type_class() != H5T_STRING) refuse(dataset.path, "must be text");
-  std::vector<std::string> texts;
-  const std::size_t count = dataset.count();
-  if (H5Tis_variable_str(dataset.type) > 0) {
-    const Hdf5Handle space(H5Dget_space(dataset.id), H5Sclose, dataset.path);
-    std::vector<char*> pointers(count, nullptr);
-    const herr_t status =
-        H5Dread(dataset.id, dataset.type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data());
-    if (status >= 0) {
-      for (const char* text : pointers) texts.emplace_back(text == nullptr ? "" : text);
-    }
-    H5Dvlen_reclaim(dataset.type, space, H5P_DEFAULT, pointers.data());
-    check_hdf5(status, dataset.path);
-    return texts;
-  }
+  refuse_variable_text(dataset.type, dataset.path);
   const std::size_t bytes = H5Tget_size(dataset.type);
   const Hdf5Handle type = text_type(bytes, H5Tget_cset(dataset.type));
+  const std::size_t count = dataset.count();
   std::vector<char> block(count * bytes);
   check_hdf5(H5Dread(dataset.id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()), dataset.path);
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string text(block.data() + i * bytes, bytes);
     texts.push_back(text.substr(0, text.find_last_not_of('\0') + 1));

@@ -54,6 +54,10 @@ class Hdf5Handle {
 /// Throws InvalidArgument "`what`: reason of the library" when `status` is negative.
 void check_hdf5(herr_t status, const std::string& what);
 
+/// Text of variable length lies in the global heap of the file, whose reader in library 1.10 runs
+/// forever on some damaged files: InvalidArgument before anything is read.
+void refuse_variable_text(hid_t type, const std::string& what);
+
 /// "/cell" and "size" make "cell/size"; "" stands for the root.
 [[nodiscard]] std::string joined(const std::string& folder, const std::string& name);
 

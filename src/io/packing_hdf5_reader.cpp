@@ -36,13 +36,7 @@ std::string read_text_attribute(hid_t root, const char* name) {
   if (H5Tget_class(type) != H5T_STRING || H5Tget_size(type) > kLongest) {
     throw InvalidArgument(std::string("attribute '") + name + "' must be a short text");
   }
-  if (H5Tis_variable_str(type) > 0) {
-    char* text = nullptr;
-    check_hdf5(H5Aread(attribute, type, &text), name);
-    const std::string copy = text == nullptr ? "" : text;
-    H5free_memory(text);
-    return copy;
-  }
+  refuse_variable_text(type, name);
   std::string text(H5Tget_size(type), '\0');
   check_hdf5(H5Aread(attribute, type, text.data()), name);
   return text.substr(0, text.find_last_not_of('\0') + 1);
