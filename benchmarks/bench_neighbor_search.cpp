@@ -267,6 +267,15 @@ void run(const std::string& kind, std::int64_t count, double fraction) {
         });
       },
       cpu_seconds() - start);
+  report(
+      "grid, one hit", bodies, queries,
+      [&](const Vec3& c, const Vec3& h, std::int64_t& visits) {
+        grid.query(c, h, 0.0, [&](std::int32_t, const HierarchicalGrid::Image&) {
+          ++visits;
+          return false;
+        });
+      },
+      0.0);
   if (kind != "polydisperse" || count <= 100000) {
     start = cpu_seconds();
     const SortedCells cells(bodies);
