@@ -32,7 +32,7 @@ struct RsaOptions {
 
   /// Per group: redraw the orientation, uniformly, with every trial. Favors the orientations that
   /// fit, so the result no longer follows the law ordered. Empty: never.
-  std::vector<bool> redraw_orientation;
+  std::vector<bool> redraw_orientation = {};
 
   /// Rejected trials in a row after which an inclusion is given up, where no proof is reached
   /// before [-]. >= 1.
