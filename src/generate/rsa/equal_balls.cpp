@@ -177,7 +177,7 @@ class EqualBalls {
 
   // Positions are drawn ahead of their tests, so that memory is there in time. True: target met.
   bool try_batch(RandomStream& random) {
-    std::array<Candidate<Dim>, kTrialsPerBatch> batch;
+    std::array<BallTrial<Dim>, kTrialsPerBatch> batch;
     std::array<std::int64_t, kTrialsPerBatch> slots;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       draw(random, batch[i]);
@@ -193,7 +193,7 @@ class EqualBalls {
 
   // A position uniform in the range, and its bin: the integer part of one number says which bin,
   // the rest where in it.
-  void draw(RandomStream& random, Candidate<Dim>& out) const {
+  void draw(RandomStream& random, BallTrial<Dim>& out) const {
     for (int axis = 0; axis < Dim; ++axis) {
       const double s = random.uniform() * static_cast<double>(grid_.count()[axis]);
       out.bin[axis] = std::min(static_cast<std::int64_t>(s), grid_.count()[axis] - 1);
@@ -230,7 +230,7 @@ class EqualBalls {
       return false;
     }
     std::vector<Index<Dim>> children;
-    std::vector<Candidate<Dim>> candidates;
+    std::vector<BallTrial<Dim>> candidates;
     if (!split_all(children, candidates)) return false;
     voxels_ = std::move(children);
     ++level_;
@@ -238,7 +238,7 @@ class EqualBalls {
   }
 
   // Chunk by chunk, on all threads; outputs are joined in the order of the voxels. False: stopped.
-  bool split_all(std::vector<Index<Dim>>& children, std::vector<Candidate<Dim>>& candidates) {
+  bool split_all(std::vector<Index<Dim>>& children, std::vector<BallTrial<Dim>>& candidates) {
     const VoxelLattice<Dim> parent_lattice(grid_, level_);
     const VoxelLattice<Dim> child_lattice(grid_, level_ + 1);
     const std::span<const Index<Dim>> voxels(voxels_);
@@ -273,7 +273,7 @@ class EqualBalls {
   }
 
   // Places the candidates of a pass in the order of their times. True: the run is over.
-  bool settle(const std::vector<Candidate<Dim>>& candidates) {
+  bool settle(const std::vector<BallTrial<Dim>>& candidates) {
     constexpr std::size_t kAhead = 8;
     std::vector<std::pair<std::uint64_t, std::size_t>> sequence(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) sequence[i] = {candidates[i].time, i};
@@ -283,7 +283,7 @@ class EqualBalls {
       if (i + kAhead < sequence.size()) {
         grid_.prefetch(grid_.slot(candidates[sequence[i + kAhead].second].bin));
       }
-      const Candidate<Dim>& candidate = candidates[sequence[i].second];
+      const BallTrial<Dim>& candidate = candidates[sequence[i].second];
       if (!grid_.is_free(candidate.p, grid_.slot(candidate.bin))) continue;
       if (place(candidate.p, candidate.bin)) return true;
     }

@@ -49,7 +49,7 @@ class VoxelLattice {
 
 /// A position that keeps its distance to all centers placed before the pass.
 template <int Dim>
-struct Candidate {
+struct BallTrial {
   std::uint64_t time = 0;  ///< When in the pass it is tried, in units of 2^-64 of the pass.
   Point<Dim> p{};
   Index<Dim> bin{};
@@ -59,7 +59,7 @@ struct Candidate {
 template <int Dim>
 struct SplitOutput {
   std::vector<Index<Dim>> voxels;          ///< Children that may still hold a center.
-  std::vector<Candidate<Dim>> candidates;  ///< In the order of the voxels.
+  std::vector<BallTrial<Dim>> candidates;  ///< In the order of the voxels.
   std::int64_t trials = 0;                 ///< Positions drawn.
 };
 
@@ -173,7 +173,7 @@ class VoxelSplitter {
     const double end = static_cast<double>(out.voxels.size());
     for (; next_trial_ < end; next_trial_ += waiting_time()) {
       ++out.trials;
-      Candidate<Dim> candidate;
+      BallTrial<Dim> candidate;
       for (int axis = 0; axis < Dim; ++axis) {
         const double low = cuts_[half(child, axis)][axis];
         const double high = cuts_[half(child, axis) + 1][axis];
