@@ -45,11 +45,20 @@ inline CommonPoint common_point(const Portal& portal, const Vec3& r) {
   return {shrink * x.in_a + miss, shrink * x.in_b - miss};
 }
 
-/// Is the portal a proof that the gap is at most min_gap?
+/// Are the points a proof that the gap is at most min_gap? Moves them towards each other where that
+/// makes room for rounding.
 template <class A, class B>
-bool proves_overlap(const A& a, const B& b, const Vec3& r, double min_gap, const CommonPoint& x) {
+bool proves_overlap(const A& a, const B& b, const Vec3& r, double min_gap, CommonPoint& x) {
   if (min_gap == 0.0) return in_both(a, b, r, x.in_a);
   const double slack = 8 * kUnitRoundoff * (norm(r) + reach(a) + reach(b));
+  const Vec3 between = r + x.in_b - x.in_a;
+  const double distance = norm(between);
+  if (distance + slack > min_gap) {
+    const double pull = std::fmin(0.5 * (distance + 2 * slack - min_gap), 0.5 * distance);
+    if (!(pull <= 2 * slack) || distance == 0.0) return false;
+    x.in_a += (pull / distance) * between;
+    x.in_b -= (pull / distance) * between;
+  }
   return contains(a, x.in_a) && contains(b, x.in_b) && norm(r + x.in_b - x.in_a) + slack <= min_gap;
 }
 
@@ -70,7 +79,7 @@ Decision decide(const A& a, const B& b, const Vec3& r, double min_gap) noexcept 
         return true;
       }
     } else if (portal.inner > portal.along) {
-      const CommonPoint x = common_point(portal, r);
+      CommonPoint x = common_point(portal, r);
       if (proves_overlap(a, b, r, min_gap, x)) {
         decision.verdict = Verdict::overlapping;
         if (min_gap == 0.0) decision.witness = x.in_a;
@@ -82,19 +91,31 @@ Decision decide(const A& a, const B& b, const Vec3& r, double min_gap) noexcept 
   return decision;
 }
 
-/// contact_scale() of contact.hpp.
+/// contact_scale() of contact.hpp: both sides of equation (1) of portal.hpp with their rounding. It
+/// is that of the products n.r, of S, and of the corners of the portal; the latter move the point
+/// where the ray leaves M by no more than they err over the ball inside M.
 template <class A, class B>
 ContactScale contact_scale(const A& a, const B& b, const Vec3& r) noexcept {
   if (norm_sq(r) == 0.0) return {0.0, 0.0};
   const MinkowskiSum<A, B> sum(a, b);
+  const double support_slack = (kSupportRoundoff + 4 * kUnitRoundoff) * (reach(a) + reach(b));
+  const double product_slack = 4 * kUnitRoundoff * norm(r);
+  const double grow = 1.0 + support_slack / (least_reach(a) + least_reach(b));
   ContactScale scale{0.0, std::numeric_limits<double>::infinity()};
   search<A>(sum, r, [&](const Portal& portal) {
-    scale.lower = std::fmax(scale.lower, portal.along / portal.outer);
-    if (portal.inner > 0.0) scale.upper = std::fmin(scale.upper, portal.along / portal.inner);
-    return scale.upper - scale.lower <= 1e-13 * scale.lower;
+    const double length = norm(portal.normal);
+    const double support = length * support_slack, product = length * product_slack;
+    scale.lower = std::fmax(scale.lower, (portal.along - product) / (portal.outer + support));
+    double inner = portal.inner;
+    for (int i = 0; i < portal.count; ++i) {
+      inner = std::fmin(inner, dot(portal.normal, portal.corner[i].sum));
+    }
+    if (inner > support) {
+      scale.upper = std::fmin(scale.upper, grow * (portal.along + product) / (inner - support));
+    }
+    return portal.outer - portal.inner <= 1e-14 * portal.outer;
   });
-  const double slack = 16 * kProofRoundoff;
-  return {scale.lower * (1.0 - slack), scale.upper * (1.0 + slack)};
+  return scale;
 }
 
 /// The axis of revolution of a core; (0, 0, 0): none, or any.

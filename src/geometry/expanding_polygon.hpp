@@ -40,6 +40,14 @@ Depth search_depth_in_plane(const Sum& sum, const Vec3& r, const PlaneFrame& fra
     inner[i] = length > 0.0 ? std::fmin(dot(normal[i], p), dot(normal[i], q))
                             : std::numeric_limits<double>::infinity();
   };
+  const auto locate = [&](int i, Depth& found) {
+    const Vec3 p = corner[i].sum - r, e = corner[next[i]].sum - corner[i].sum;
+    const double t = std::clamp(-dot(p, e) / norm_sq(e), 0.0, 1.0);
+    const double miss = norm(p + t * e);
+    if (!(miss < found.miss)) return;
+    found.miss = miss;
+    found.in_a = (1.0 - t) * corner[i].in_a + t * corner[next[i]].in_a;
+  };
   corner[0] = sum.support(frame.x);
   corner[1] = sum.support(left(corner[0].sum));
   corner[2] = opposite(corner[0]);
@@ -57,16 +65,15 @@ Depth search_depth_in_plane(const Sum& sum, const Vec3& r, const PlaneFrame& fra
     if (!(norm_sq(normal[edge]) > 0.0)) return depth;
     const SumPoint tip = sum.support(normal[edge]);
     const double outer = dot(normal[edge], tip.sum - r);
-    if (outer < depth.outer) {
-      depth.outer = outer;
-      depth.normal = normal[edge];
-      const Vec3 p = corner[edge].sum, e = corner[next[edge]].sum - p;
-      const double t = std::clamp(dot(r - p, e) / norm_sq(e), 0.0, 1.0);
-      depth.in_a = (1.0 - t) * corner[edge].in_a + t * corner[next[edge]].in_a;
-      depth.miss = norm(p + t * e - r);
-    }
+    if (outer < depth.outer) depth.outer = outer, depth.normal = normal[edge];
     const bool closed = depth.outer - depth.inner <= tolerance || depth.outer <= 0.0;
-    if (closed || outer <= depth.inner || count == kCorners) return depth;
+    if (closed || outer <= depth.inner || count == kCorners) {
+      // Flat parts of M are several edges of one bound: take the one that the perpendicular meets.
+      for (int i = 0; i < count; ++i) {
+        if (dot(normal[i], depth.normal) > 1.0 - 1e-9) locate(i, depth);
+      }
+      return depth;
+    }
     corner[count] = tip;
     next[count] = next[edge];
     next[edge] = count;

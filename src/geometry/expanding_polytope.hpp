@@ -227,7 +227,8 @@ class ExpandingPolytope {
       if (faces_[face].across[e] == from_face) entry = e;
     }
     if (entry < 0) return false;
-    if (!sees(face, w) || depth_ == kHorizon) {
+    if (depth_ == kHorizon) return false;
+    if (!sees(face, w)) {
       if (horizon_size_ == kHorizon) return false;
       horizon_[horizon_size_++] = {corner(face, entry + 1), corner(face, entry), face};
       return true;

@@ -4,6 +4,7 @@
 /// The two proofs that a verdict rests on, for bodies of known type.
 
 #include <cmath>
+#include <type_traits>
 
 #include "packstone/core/tolerances.hpp"
 #include "packstone/core/vec.hpp"
@@ -23,6 +24,20 @@ namespace packstone {
 [[nodiscard]] inline double reach(const Disk& body) { return body.radius; }
 [[nodiscard]] inline double reach(const Ellipse& body) {
   return std::fmax(body.semi_axes.x, body.semi_axes.y);
+}
+
+/// Radius of a ball about the center inside the body [L].
+template <class Shape>
+[[nodiscard]] double least_reach(const Shape& body) {
+  if constexpr (std::is_same_v<Shape, Ellipsoid>) {
+    return std::fmin(body.semi_axes.x, std::fmin(body.semi_axes.y, body.semi_axes.z));
+  } else if constexpr (std::is_same_v<Shape, Ellipse>) {
+    return std::fmin(body.semi_axes.x, body.semi_axes.y);
+  } else if constexpr (std::is_same_v<Shape, Cylinder>) {
+    return std::fmin(body.radius, body.half_length);
+  } else {
+    return body.radius;
+  }
 }
 
 /// Bound on the rounding error of g(d), equation (1) of contact.hpp, for unit d [L].

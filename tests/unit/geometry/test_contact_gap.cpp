@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "packstone/core/tolerances.hpp"
+#include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/contact.hpp"
+#include "packstone/geometry/measures.hpp"
+#include "support/oracle.hpp"
+#include "support/pair_zoo.hpp"
+
+using namespace packstone;
+using zoo::Pair;
+using zoo::PairClass;
+using zoo::Zoo;
+
+namespace {
+
+double larger_radius(const Pair& p) { return std::max(circum_radius(p.a), circum_radius(p.b)); }
+
+// Calls check(pair, index) for `count` pairs of every kind and class.
+template <class Check>
+void for_pairs(std::uint64_t seed, int count, Check&& check) {
+  for (const auto& [a, b] : zoo::kinds_of_pairs()) {
+    for (int i = 0; i < zoo::kPairClasses; ++i) {
+      const auto pair_class = static_cast<PairClass>(i);
+      Zoo zoo(seed + 1000 * i + 100 * static_cast<int>(a) + 10 * static_cast<int>(b));
+      for (int k = 0; k < count; ++k) {
+        CAPTURE(name(a), name(b), zoo::name(pair_class), k);
+        check(zoo.pair(a, b, pair_class), pair_class, k);
+      }
+    }
+  }
+}
+
+// How far x is from the surface of the body, at most, for x near it.
+double off_surface(const Body& body, const Vec3& x) {
+  return std::abs(static_cast<double>(oracle::gauge(body, x)) - 1.0) * in_radius(body);
+}
+
+Pair turned(const Pair& p, const Quaternion& q) {
+  return {rotated(p.a, q), rotated(p.b, q), rotate(q, p.r)};
+}
+
+Quaternion any_turn(const Pair& p, Zoo& zoo) {
+  return dimension(kind(p.a)) == 2 ? from_axis_angle({0, 0, 1}, zoo.uniform(-3, 3))
+                                   : zoo.rotation();
+}
+
+}  // namespace
+
+TEST_CASE("gap is attained along its normal within its error, in long double") {
+  for_pairs(11, 60, [](const Pair& p, PairClass, int) {
+    const Gap g = gap(p.a, p.b, p.r);
+    REQUIRE(std::abs(norm(g.normal) - 1.0) < 1e-15);
+    const auto along = oracle::gap_along(p.a, p.b, p.r, g.normal);
+    REQUIRE(std::abs(static_cast<double>(along - g.value)) <= g.error);
+  });
+}
+
+TEST_CASE("gap is no less than a search in long double finds, within its error") {
+  for_pairs(12, 2, [](const Pair& p, PairClass, int k) {
+    const Gap g = gap(p.a, p.b, p.r);
+    const auto found = oracle::search_gap(p.a, p.b, p.r, 5, 100 + k, &g.normal);
+    REQUIRE(static_cast<double>(found - g.value) <= g.error);
+  });
+}
+
+TEST_CASE("the error of gap is below 1e-12 of the larger body, but for a few deep and even pairs") {
+  int pairs = 0, wide = 0;
+  for_pairs(13, 60, [&](const Pair& p, PairClass pair_class, int) {
+    const Gap g = gap(p.a, p.b, p.r);
+    ++pairs;
+    if (g.error <= kGapRoundoff * larger_radius(p)) return;
+    ++wide;
+    // Ties over a continuum of directions need a deep overlap, which these classes lack.
+    CHECK(pair_class != PairClass::far);
+    CHECK(g.error <= 1e-5 * larger_radius(p));
+  });
+  CAPTURE(pairs, wide);
+  CHECK(wide <= pairs / 500);
+}
+
+TEST_CASE("gap has the sign that decide proves") {
+  for_pairs(14, 60, [](const Pair& p, PairClass, int) {
+    const Verdict verdict = overlap(p.a, p.b, p.r);
+    const Gap g = gap(p.a, p.b, p.r);
+    if (verdict == Verdict::separated) REQUIRE(g.value + g.error > 0.0);
+    if (verdict == Verdict::overlapping) REQUIRE(g.value - g.error < 0.0);
+  });
+}
+
+TEST_CASE("contact points lie on both surfaces and differ by value times normal") {
+  for_pairs(15, 30, [](const Pair& p, PairClass, int) {
+    const Gap g = gap(p.a, p.b, p.r);
+    const double size = larger_radius(p) + norm(p.r);
+    REQUIRE(norm(g.point_b - g.point_a - g.value * g.normal) <= 1e-14 * size);
+    // A direction good to the square root of the rounding of its value.
+    const double tolerance = 2e-6 * size + 1e3 * g.error;
+    REQUIRE(off_surface(p.a, g.point_a) <= tolerance);
+    REQUIRE(off_surface(p.b, g.point_b - p.r) <= tolerance);
+  });
+}
+
+TEST_CASE("gap does not change when a and b change places") {
+  for_pairs(16, 30, [](const Pair& p, PairClass, int) {
+    const Gap g = gap(p.a, p.b, p.r), swapped = gap(p.b, p.a, -p.r);
+    REQUIRE(std::abs(g.value - swapped.value) <= g.error + swapped.error);
+  });
+}
+
+TEST_CASE("gap does not change under a turn of the pair") {
+  Zoo zoo(17);
+  for_pairs(17, 30, [&](const Pair& p, PairClass, int) {
+    const Pair t = turned(p, any_turn(p, zoo));
+    const Gap g = gap(p.a, p.b, p.r), after = gap(t.a, t.b, t.r);
+    // The turn itself rounds the bodies: some units of the larger one.
+    const double rounding = 1e-14 * (larger_radius(p) + norm(p.r));
+    REQUIRE(std::abs(g.value - after.value) <= g.error + after.error + rounding);
+  });
+}
+
+TEST_CASE("gap scales with the pair") {
+  for_pairs(18, 30, [](const Pair& p, PairClass, int k) {
+    const double factor = k % 2 == 0 ? 1024.0 : 3e-5;
+    const Gap g = gap(p.a, p.b, p.r);
+    const Gap large = gap(scaled(p.a, factor), scaled(p.b, factor), factor * p.r);
+    const double rounding = 4e-16 * (larger_radius(p) + norm(p.r));
+    REQUIRE(std::abs(large.value / factor - g.value) <= g.error + large.error / factor + rounding);
+  });
+}
+
+TEST_CASE("quick_gap_bound is a bound, and the gap itself for round bodies") {
+  const auto round = [](ShapeKind k) {
+    return k == ShapeKind::sphere || k == ShapeKind::spherocylinder || k == ShapeKind::disk;
+  };
+  for_pairs(19, 60, [&](const Pair& p, PairClass, int) {
+    const Gap g = gap(p.a, p.b, p.r);
+    const double bound = quick_gap_bound(p.a, p.b, p.r);
+    REQUIRE(bound <= g.value + g.error);
+    if (!round(kind(p.a)) || !round(kind(p.b))) return;
+    REQUIRE(bound >= g.value - g.error - 1e-13 * (larger_radius(p) + norm(p.r)));
+  });
+}
+
+TEST_CASE("contact_scale brackets the scale at which decide changes its verdict") {
+  for_pairs(20, 20, [](const Pair& p, PairClass, int) {
+    const ContactScale mu = contact_scale(p.a, p.b, p.r);
+    REQUIRE(mu.lower <= mu.upper);
+    if (norm_sq(p.r) == 0.0) return;
+    const double ratio =
+        (circum_radius(p.a) + circum_radius(p.b) + norm(p.r)) / (in_radius(p.a) + in_radius(p.b));
+    REQUIRE(mu.upper - mu.lower <= std::max(1e-12, 2e-14 * ratio) * mu.upper);
+    const double below = mu.lower * (1.0 - 1e-9), above = mu.upper * (1.0 + 1e-9);
+    REQUIRE(overlap(scaled(p.a, below), scaled(p.b, below), p.r) != Verdict::overlapping);
+    REQUIRE(overlap(scaled(p.a, above), scaled(p.b, above), p.r) != Verdict::separated);
+  });
+}
+
+TEST_CASE("decide with a least gap agrees with gap") {
+  Zoo zoo(21);
+  for_pairs(21, 60, [&](const Pair& p, PairClass, int) {
+    const Gap g = gap(p.a, p.b, p.r);
+    const double size = zoo::size_of(p) + norm(p.r);
+    // Half of the gaps asked for are close to the true one.
+    const double least = zoo.uniform(0, 1) < 0.5
+                             ? std::abs(g.value) * zoo.uniform(0.2, 2.0) + 1e-9 * size
+                             : std::max(g.value, 1e-6 * size) * (1.0 + zoo.uniform(-1e-9, 1e-9));
+    const Decision decision = decide(p.a, p.b, p.r, least);
+    if (decision.verdict == Verdict::separated) {
+      REQUIRE(oracle::certified(p.a, p.b, p.r, least, decision));
+    }
+    if (decision.verdict == Verdict::overlapping) REQUIRE(g.value - g.error <= least);
+    if (decision.verdict == Verdict::undecided) {
+      REQUIRE(std::abs(g.value - least) <= 1e-12 * size + g.error);
+    }
+  });
+}
+
+TEST_CASE("validation: the error of gap holds on many pairs", "[validation]") {
+  long pairs = 0, wide = 0;
+  double worst = 0.0;
+  for_pairs(31, 2000, [&](const Pair& p, PairClass, int k) {
+    const Gap g = gap(p.a, p.b, p.r);
+    const auto along = oracle::gap_along(p.a, p.b, p.r, g.normal);
+    REQUIRE(std::abs(static_cast<double>(along - g.value)) <= g.error);
+    ++pairs;
+    wide += g.error > kGapRoundoff * larger_radius(p);
+    worst = std::max(worst, g.error / larger_radius(p));
+    if (k % 20 != 0) return;
+    const auto found = oracle::search_gap(p.a, p.b, p.r, 6, 1000 + k, &g.normal);
+    REQUIRE(static_cast<double>(found - g.value) <= g.error);
+  });
+  WARN(pairs << " gaps, " << wide << " with an error above 1e-12, worst " << worst);
+}
