@@ -32,7 +32,7 @@ template <class Posed>
 CenterDistance center_distance(const Posed& b, const Vec3& y) {
   const auto foot = foot_point(to_array(b.axes), to_array(b.to_body(y)));
   CenterDistance result;
-  result.normal = b.to_cell(to_vec(foot.normal));
+  result.normal = normalized(b.to_cell(to_vec(foot.normal)));
   result.foot = b.to_cell(to_vec(foot.point));
   result.value = dot(result.normal, y) - b.support(result.normal);
   const double upper = foot.inside ? -foot.distance_bound : foot.distance_bound;

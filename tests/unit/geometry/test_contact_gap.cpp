@@ -94,7 +94,7 @@ TEST_CASE("contact points lie on both surfaces and differ by value times normal"
   for_pairs(15, 30, [](const Pair& p, PairClass, int) {
     const Gap g = gap(p.a, p.b, p.r);
     const double size = larger_radius(p) + norm(p.r);
-    REQUIRE(norm(g.point_b - g.point_a - g.value * g.normal) <= 1e-14 * size);
+    REQUIRE(norm(g.point_b - g.point_a - g.value * g.normal) <= kGapRoundoff * size);
     // A direction good to the square root of the rounding of its value.
     const double tolerance = 2e-6 * size + 1e3 * g.error;
     REQUIRE(off_surface(p.a, g.point_a) <= tolerance);
