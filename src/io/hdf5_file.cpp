@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -11,7 +12,7 @@
 namespace packstone {
 namespace {
 
-std::mutex library_mutex;
+std::atomic_flag library_in_use;
 
 extern "C" herr_t keep_first_reason(unsigned depth, const H5E_error2_t* error, void* target) {
   // Called from C: the text is short and the string has room, so nothing is thrown through it.
@@ -85,12 +86,17 @@ std::vector<std::string> member_names(hid_t group, const std::string& path) {
 
 }  // namespace
 
-Hdf5Session::Hdf5Session() : lock_(library_mutex) {
+Hdf5Session::Hdf5Session() {
+  while (library_in_use.test_and_set()) library_in_use.wait(true);
   H5Eget_auto2(H5E_DEFAULT, &print_, &print_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Hdf5Session::~Hdf5Session() { H5Eset_auto2(H5E_DEFAULT, print_, print_data_); }
+Hdf5Session::~Hdf5Session() {
+  H5Eset_auto2(H5E_DEFAULT, print_, print_data_);
+  library_in_use.clear();
+  library_in_use.notify_one();
+}
 
 Hdf5Handle::Hdf5Handle(hid_t id, Close closer, const std::string& what) : id_(id), close_(closer) {
   if (id < 0) refuse(what, library_reason());
