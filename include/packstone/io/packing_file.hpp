@@ -24,7 +24,7 @@ namespace packstone {
 /// Errors: throws FileError for a file that cannot be read, another ending, or content that is not
 ///         a packing; the message names file, inclusion and field, and line and column of a syntax
 ///         error.
-/// Cost:   see docs/packing_file.md; JSON some 2 us an inclusion.
+/// Cost:   an ellipsoid some 5 us from JSON, 0.2 us from HDF5 (docs/packing_file.md).
 [[nodiscard]] Packing read_packing(const std::filesystem::path& path);
 
 /// Writes `.json` or `.h5`.
