@@ -24,7 +24,7 @@ ALLOWED["apps"] = set(ALLOWED) | {"apps"}
 
 # Library header -> where alone it may be included.
 SEAMS = {
-    r"tbb/|oneapi/|thread$|mutex$|omp\.h": r"src/core/parallel\.cpp",
+    r"tbb/|oneapi/|thread$|omp\.h": r"src/core/parallel\.cpp",
     r"hwy/": r"src/[a-z]+/batch/",
     r"[Hh]df5": r"src/io/",
     r"nlohmann/": r"(src/(io|recipe)|apps)/",

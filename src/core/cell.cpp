@@ -4,6 +4,7 @@
 #include <string>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 
 namespace packstone {
 
@@ -15,7 +16,7 @@ void check_cell(const Cell& cell) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
     const double length = cell.size[axis];
     if (!(length > 0.0) || !std::isfinite(length)) {
-      throw InvalidArgument("cell.size[" + std::to_string(axis) + "] = " + std::to_string(length) +
+      throw InvalidArgument("cell.size[" + std::to_string(axis) + "] = " + number_text(length, 17) +
                             ", allowed are finite lengths > 0");
     }
   }

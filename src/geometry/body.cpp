@@ -1,37 +1,32 @@
 #include "packstone/geometry/body.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/core/tolerances.hpp"
 
 namespace packstone {
 namespace {
 
-std::string text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.17g", value);
-  return buffer;
-}
-
 void check_length(const char* field, double value) {
   if (value > 0.0 && std::isfinite(value)) return;
-  throw InvalidArgument(std::string(field) + " = " + text(value) +
+  throw InvalidArgument(std::string(field) + " = " + number_text(value, 17) +
                         ", allowed are finite numbers > 0");
 }
 
 void check_finite(const char* field, double value) {
   if (std::isfinite(value)) return;
-  throw InvalidArgument(std::string(field) + " = " + text(value) + ", allowed are finite numbers");
+  throw InvalidArgument(std::string(field) + " = " + number_text(value, 17) +
+                        ", allowed are finite numbers");
 }
 
 void check_unit(const char* field, double length) {
   if (std::abs(length - 1.0) <= kUnitTolerance) return;
-  throw InvalidArgument(std::string(field) + " has length " + text(length) +
-                        ", allowed is 1 within " + text(kUnitTolerance));
+  throw InvalidArgument(std::string(field) + " has length " + number_text(length, 17) +
+                        ", allowed is 1 within " + number_text(kUnitTolerance));
 }
 
 template <class Rod>

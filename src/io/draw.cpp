@@ -7,14 +7,15 @@
 #include "io/draw/picture_2d.hpp"
 #include "io/draw/picture_3d.hpp"
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 
 namespace packstone {
 namespace {
 
 void check_range(const char* option, double value, double low, double high) {
   if (value >= low && value <= high) return;
-  throw InvalidArgument(std::string("draw option ") + option + " = " + std::to_string(value) +
-                        ", allowed is " + std::to_string(low) + " to " + std::to_string(high));
+  throw InvalidArgument(std::string("draw option ") + option + " = " + number_text(value) +
+                        ", allowed is " + number_text(low) + " to " + number_text(high));
 }
 
 void check_options(const std::filesystem::path& path, const Packing& packing,

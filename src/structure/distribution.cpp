@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
-#include "structure/number_text.hpp"
 #include "structure/tabulated_law.hpp"
 #include "structure/truncated_normal.hpp"
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
-#include "structure/number_text.hpp"
 
 namespace packstone {
 namespace {

@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/core/symmetric_eigen.hpp"
 #include "structure/axis_laws.hpp"
 #include "structure/exact_tensor.hpp"
-#include "structure/number_text.hpp"
 
 namespace packstone {
 namespace {

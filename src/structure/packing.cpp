@@ -4,6 +4,7 @@
 #include <string>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/geometry/measures.hpp"
 
 namespace packstone {
@@ -16,8 +17,8 @@ void check_center(const Cell& cell, const Vec3& center) {
     // A wall's coordinate itself is inside; a period's far end is the near end of the next.
     const bool inside = cell.periodic[axis] ? x >= 0.0 && x < length : x >= 0.0 && x <= length;
     if (std::isfinite(x) && inside) continue;
-    throw InvalidArgument("center[" + std::to_string(axis) + "] = " + std::to_string(x) +
-                          " lies outside the cell, allowed is 0 to " + std::to_string(length));
+    throw InvalidArgument("center[" + std::to_string(axis) + "] = " + number_text(x, 17) +
+                          " lies outside the cell, allowed is 0 to " + number_text(length, 17));
   }
 }
 
