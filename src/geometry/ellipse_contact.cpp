@@ -217,6 +217,8 @@ class EllipseGapSearch {
   int spent_ = 0;
 };
 
+Ellipse as_ellipse(const Disk& disk, double angle) { return {{disk.radius, disk.radius}, angle}; }
+
 Vec3 in_plane(const Vec3& r) { return {r.x, r.y, 0.0}; }
 
 }  // namespace
@@ -250,7 +252,16 @@ ContactScale contact_scale(const Disk& a, const Disk& b, const Vec3& r_ab) noexc
 }
 
 Decision decide(const Disk& a, const Ellipse& b, const Vec3& r_ab, double min_gap) noexcept {
-  return decide_ball(a.radius, PosedEllipse(b), in_plane(r_ab), min_gap);
+  const auto [least, largest] = std::minmax({b.semi_axes.x, b.semi_axes.y});
+  const Vec3 r = in_plane(r_ab);
+  const Decision quick = decide_by_balls(a.radius, a.radius, least, largest, r, min_gap);
+  if (quick.verdict != Verdict::undecided) return quick;
+  PosedPair<PosedEllipse> pair(as_ellipse(a, b.angle), b, r);
+  // The disk's support is computed another way here than in support().
+  pair.roundoff *= 2;
+  const Decision decision = decide_by_pencil<EllipsePencil>(pair, min_gap);
+  if (decision.verdict != Verdict::undecided) return decision;
+  return decide_ball(a.radius, pair.b, r, min_gap);
 }
 
 Gap gap(const Disk& a, const Ellipse& b, const Vec3& r_ab) noexcept {
@@ -258,7 +269,7 @@ Gap gap(const Disk& a, const Ellipse& b, const Vec3& r_ab) noexcept {
 }
 
 ContactScale contact_scale(const Disk& a, const Ellipse& b, const Vec3& r_ab) noexcept {
-  return contact_scale(Ellipse{{a.radius, a.radius}, b.angle}, b, r_ab);
+  return contact_scale(as_ellipse(a, b.angle), b, r_ab);
 }
 
 Decision decide(const Ellipse& a, const Ellipse& b, const Vec3& r_ab, double min_gap) noexcept {
