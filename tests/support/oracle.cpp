@@ -117,6 +117,8 @@ long double gap_along(const Body& a, const Body& b, const Vec3& r, const Vec3& d
   return value(a, b, point(r), unit(point(d)));
 }
 
+long double support(const Body& body, const Vec3& d) { return support_of(body, point(d)); }
+
 long double gauge(const Body& body, const Vec3& x) { return gauge_of(body, point(x)); }
 
 bool certified(const Body& a, const Body& b, const Vec3& r, double min_gap,

@@ -18,6 +18,9 @@ long double gap_along(const Body& a, const Body& b, const Vec3& r, const Vec3& d
 long double search_gap(const Body& a, const Body& b, const Vec3& r, int starts, std::uint64_t seed,
                        const Vec3* hint = nullptr);
 
+/// S(d), equation (1) of support.hpp, in long double [L].
+long double support(const Body& body, const Vec3& d);
+
 /// Gauge of the body at x: the factor that scales its surface through x [-]. In the body: <= 1.
 long double gauge(const Body& body, const Vec3& x);
 
