@@ -68,4 +68,12 @@ inline Vec3 nearest_point(const Segment& a, const Vec3& r) {
   return std::clamp(dot(a.axis, r), -a.half_length, a.half_length) * a.axis;
 }
 
+/// Two balls with centers `distance` apart overlap: the part of the way from a to b that leads to
+/// the middle of what they share, as deep in one as in the other. Dividing the way as the radii
+/// would leave the smaller ball less room than rounding takes.
+inline double middle_of_overlap(double radius_a, double radius_b, double distance) {
+  if (!(distance > 0.0)) return 0.0;
+  return std::clamp(0.5 * (1.0 + (radius_a - radius_b) / distance), 0.0, 1.0);
+}
+
 }  // namespace packstone

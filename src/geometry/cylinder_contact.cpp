@@ -51,7 +51,7 @@ Decision decide_rods(const A& a, const B& b, const Vec3& r, double min_gap) {
     return {Verdict::separated, decision.witness};
   }
   if (min_gap == 0.0 && apart < a.radius + b.radius) {
-    const Vec3 x = axes.on_a + (a.radius / (a.radius + b.radius)) * axes.between;
+    const Vec3 x = axes.on_a + middle_of_overlap(a.radius, b.radius, apart) * axes.between;
     if (in_both(a, b, r, x)) return {Verdict::overlapping, x};
   }
   if (separates(dot(a.axis, r) < 0.0 ? -a.axis : a.axis) ||

@@ -87,7 +87,8 @@ Decision decide_grown(const A& a, const B& b, const Vec3& r, double min_gap) {
     const bool proven = best.value() - gap_roundoff(a, b, r) > min_gap;
     return {proven ? Verdict::separated : Verdict::undecided, best.direction()};
   }
-  const Vec3 common = points.on_a + (a.radius / radii) * points.between;
+  const Vec3 common =
+      points.on_a + middle_of_overlap(a.radius, b.radius, distance) * points.between;
   if (min_gap == 0.0) {
     if (in_both(a, b, r, common)) return {Verdict::overlapping, common};
   }
