@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "output_file.hpp"
+#include "packstone/io/packing_file.hpp"
+#include "packstone/io/witness_file.hpp"
+#include "packstone/structure/check_packing.hpp"
+#include "summary.hpp"
+
+namespace packstone::cli {
+namespace {
+
+struct CheckArguments {
+  std::string packing;
+  std::string witness;
+  CheckOptions options;
+  int threads = 0;
+  bool json = false;
+};
+
+int run_check(const CheckArguments& arguments) {
+  if (!arguments.witness.empty()) check_output_folder(arguments.witness);
+  const Packing packing = read_packing(arguments.packing);
+  const RunContext run = RunContext{}.threads(arguments.threads);
+  const Certificate certificate = check_packing(packing, arguments.options, run);
+  if (!arguments.witness.empty()) {
+    write_witnesses(arguments.witness, separating_directions(packing, arguments.options, run));
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", certificate_json(certificate).dump(2));
+  } else {
+    fmt::print("{}", certificate_text(certificate));
+  }
+  return certificate.passed() ? kDone : kHonestNo;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* command = app.add_subcommand("check", "Prove that nothing overlaps, or say what does");
+  command->add_option("PACKING", arguments->packing, "Packing (.json, .h5)")
+      ->type_name("")
+      ->required();
+  command->add_option("--min-gap", arguments->options.min_gap, "Least gap between any two [0]")
+      ->type_name("G")
+      ->check(CLI::Range(0.0, 1e300).description(""));
+  command
+      ->add_option("--witness", arguments->witness, "Write one separating direction per near pair")
+      ->type_name("FILE");
+  command->add_option("--threads", arguments->threads, "Threads; the result is the same [all]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 4096).description(""));
+  command->add_flag("--json", arguments->json, "Certificate as one JSON object");
+  command->footer(
+      "Exit code 0 when every pair, over all periodic images, is proven apart and\n"
+      "nothing crosses a wall; 1 when not.\n\n"
+      "Example: packstone check fibers.json --min-gap 0.001");
+  command->callback([arguments, &exit_code] { exit_code = run_check(*arguments); });
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+/// @file
+/// The commands of the program. Each adds itself to the command line and, when it is chosen, sets
+/// the exit code.
+
+#include <CLI/CLI.hpp>
+
+namespace packstone::cli {
+
+/// What the program ends with.
+enum ExitCode {
+  kDone = 0,
+  kHonestNo = 1,       ///< The check failed, the target was not reached, a file was not written.
+  kBadInput = 2,       ///< Bad input or usage.
+  kInterrupted = 130,  ///< Interrupted; the best valid state was kept.
+};
+
+void add_pack(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_draw(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
+void add_new(CLI::App& app, int& exit_code);
+
+}  // namespace packstone::cli

@@ -1,0 +1,67 @@
+#include <map>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "output_file.hpp"
+#include "packstone/io/draw.hpp"
+#include "packstone/io/packing_file.hpp"
+
+namespace packstone::cli {
+namespace {
+
+struct DrawArguments {
+  std::string packing;
+  std::string output;
+  DrawOptions options;
+  int threads = 0;
+};
+
+void add_look(CLI::App& command, DrawOptions& options) {
+  const std::map<std::string, ColorBy> colors{
+      {"group", ColorBy::group}, {"size", ColorBy::size}, {"orientation", ColorBy::orientation}};
+  command.add_option("--color-by", options.color_by, "group [default], size or orientation")
+      ->transform(CLI::CheckedTransformer(colors).description(""))
+      ->type_name("WHAT");
+  command.add_flag("--cut", options.cut, "Cut bodies at the faces of the cell");
+  command.add_option("--azimuth", options.azimuth, "Turn of the camera about z [35]")
+      ->type_name("DEGREES");
+  command.add_option("--elevation", options.elevation, "Its height above the horizon [25]")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(-90.0, 90.0).description(""));
+  command.add_option("--samples", options.samples, "Rays per pixel = N x N, 1 to 32 [4]")
+      ->type_name("N")
+      ->check(CLI::Range(1, 32).description(""));
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<DrawArguments>();
+  CLI::App* command = app.add_subcommand("draw", "Draw a packing, without a display");
+  command->add_option("PACKING", arguments->packing, "Packing (.json, .h5)")
+      ->type_name("")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "Picture to write; .svg in 2D")
+      ->type_name("FILE.png|.svg")
+      ->required();
+  command->add_option("--width", arguments->options.width, "Pixels, 16 to 16384 [1200]")
+      ->type_name("N")
+      ->check(CLI::Range(16, 16384).description(""));
+  command->add_option("--height", arguments->options.height, "Pixels, 16 to 16384 [1000]")
+      ->type_name("N")
+      ->check(CLI::Range(16, 16384).description(""));
+  add_look(*command, arguments->options);
+  command->add_option("--threads", arguments->threads, "Threads [all]")
+      ->type_name("N")
+      ->check(CLI::Range(0, 4096).description(""));
+  command->footer("Example: packstone draw fibers.json -o fibers.png --color-by orientation");
+  command->callback([arguments, &exit_code] {
+    check_output_file(arguments->output, {".png", ".svg"});
+    draw_packing(arguments->output, read_packing(arguments->packing), arguments->options,
+                 RunContext{}.threads(arguments->threads));
+    exit_code = kDone;
+  });
+}
+
+}  // namespace packstone::cli

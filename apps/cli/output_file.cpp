@@ -1,0 +1,36 @@
+#include "output_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "packstone/core/error.hpp"
+
+namespace packstone::cli {
+
+void check_output_folder(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  if (fs::is_directory(path)) throw FileError(path.string() + " is a folder, not a file");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder)) {
+    throw FileError("cannot write " + path.string() + ": there is no folder " + folder.string());
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw FileError("cannot write " + path.string() + ": no permission to write into " +
+                    folder.string());
+  }
+}
+
+void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings) {
+  const std::string ending = path.extension().string();
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+    std::string listed;
+    for (const std::string& known : endings) listed += (listed.empty() ? "" : ", ") + known;
+    throw InvalidArgument("-o " + path.string() + ": " +
+                          (ending.empty() ? "no ending" : "unknown ending " + ending) +
+                          "; allowed is " + (endings.size() > 1 ? "one of " : "") + listed);
+  }
+  check_output_folder(path);
+}
+
+}  // namespace packstone::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+/// @file
+/// Refuses an output file that cannot be written before work starts, not after it.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace packstone::cli {
+
+/// Throws InvalidArgument when the ending of `path` is none of `endings` (".json", ...), FileError
+/// when its folder does not exist or cannot be written to, or when it is itself a folder.
+void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings);
+
+/// As above, for a file of any ending.
+void check_output_folder(const std::filesystem::path& path);
+
+}  // namespace packstone::cli

@@ -1,0 +1,172 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace packstone::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json tensor_json(const std::optional<SymMat3>& t) {
+  if (!t) return nullptr;
+  return Json::array(
+      {Json{t->xx, t->xy, t->xz}, Json{t->xy, t->yy, t->yz}, Json{t->xz, t->yz, t->zz}});
+}
+
+template <class T>
+Json value_or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json group_json(const GroupOutcome& group) {
+  Json text{{"name", group.name},
+            {"count", group.count},
+            {"count_ordered", value_or_null(group.ordered_count)},
+            {"fraction", group.fraction},
+            {"fraction_ordered", value_or_null(group.ordered_fraction)}};
+  if (!group.tensor && !group.ordered_tensor) return text;
+  text["orientation"] = {{"redrawn", group.redrawn},
+                         {"tensor", tensor_json(group.tensor)},
+                         {"tensor_ordered", tensor_json(group.ordered_tensor)}};
+  return text;
+}
+
+std::string tensor_text(const SymMat3& t) {
+  return fmt::format("xx {:.4f} yy {:.4f} zz {:.4f} yz {:+.4f} xz {:+.4f} xy {:+.4f}", t.xx, t.yy,
+                     t.zz, t.yz, t.xz, t.xy);
+}
+
+std::string group_text(const GroupOutcome& group, std::size_t width) {
+  std::string text = fmt::format("  {:<{}}  {}", group.name, width, group.count);
+  if (group.ordered_count) text += fmt::format(" of {}", *group.ordered_count);
+  text += fmt::format(", fraction {:.6g}", group.fraction);
+  if (group.ordered_fraction && group.count < group.ordered_count.value_or(0)) {
+    text += fmt::format(" of {:.6g}", *group.ordered_fraction);
+  }
+  text += "\n";
+  if (!group.redrawn || !group.tensor) return text;
+  text += "    orientations were redrawn with the trials, which favors those that fit:\n";
+  if (group.ordered_tensor) {
+    text += "      <uu> as drawn  " + tensor_text(*group.ordered_tensor) + "\n";
+  }
+  return text + "      <uu> reached   " + tensor_text(*group.tensor) + "\n";
+}
+
+std::string stop_words(const std::string& stop) {
+  if (stop == "saturated") return "proven: the next inclusion fits nowhere";
+  if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
+  if (stop == "cancelled") return "interrupted";
+  if (stop == "out_of_time") return "the time limit passed";
+  if (stop == "check_failed") return "the independent check did not pass";
+  return stop;
+}
+
+std::string worst_text(const Certificate& c) {
+  if (c.worst_pair[0] < 0 || !std::isfinite(c.smallest_gap)) return "";
+  if (c.worst_pair[0] == c.worst_pair[1]) {
+    return fmt::format(" between inclusion {} and its own image", c.worst_pair[0]);
+  }
+  return fmt::format(" between inclusions {} and {}", c.worst_pair[0], c.worst_pair[1]);
+}
+
+std::string gap_text(const Certificate& c) {
+  return std::isfinite(c.smallest_gap) ? fmt::format("{:.4g}", c.smallest_gap) : "none";
+}
+
+}  // namespace
+
+Json certificate_json(const Certificate& c) {
+  Json groups = Json::array();
+  for (const GroupCensus& group : c.groups) {
+    groups.push_back({{"name", group.name}, {"count", group.count}, {"fraction", group.fraction}});
+  }
+  return {{"passed", c.passed()},
+          {"count", c.count},
+          {"fraction", c.fraction},
+          {"groups", groups},
+          {"min_gap", c.min_gap},
+          {"smallest_gap", finite_or_null(c.smallest_gap)},
+          {"smallest_gap_error", finite_or_null(c.smallest_gap_error)},
+          {"worst_pair", c.worst_pair},
+          {"worst_image", c.worst_image},
+          {"overlaps", c.overlaps},
+          {"gaps_below", c.gaps_below},
+          {"outside_walls", c.outside_walls},
+          {"pairs_checked", c.pairs_checked}};
+}
+
+Json outcome_json(const PackOutcome& outcome) {
+  Json groups = Json::array();
+  for (const GroupOutcome& group : outcome.groups) groups.push_back(group_json(group));
+  Json text{{"target_reached", outcome.target_reached},
+            {"stop", outcome.stop},
+            {"method", outcome.method},
+            {"method_reason", outcome.method_reason},
+            {"seed", outcome.packing.provenance->seed},
+            {"seconds", outcome.seconds},
+            {"trials", outcome.trials},
+            {"restarts", outcome.restarts},
+            {"groups", groups},
+            {"derived", outcome.derived}};
+  text["certificate"] = certificate_json(*outcome.packing.certificate);
+  return text;
+}
+
+std::string certificate_text(const Certificate& c) {
+  std::string text = fmt::format("{} inclusions, fraction {:.6g}\n", c.count, c.fraction);
+  if (c.overlaps > 0) {
+    text += fmt::format("{} {}\n", c.overlaps, c.overlaps == 1 ? "pair overlaps" : "pairs overlap");
+  }
+  if (c.gaps_below > 0) {
+    text += fmt::format("{} {} closer than {:.6g}\n", c.gaps_below,
+                        c.gaps_below == 1 ? "pair is" : "pairs are", c.min_gap);
+  }
+  if (c.outside_walls > 0) {
+    text += fmt::format("{} {} a wall\n", c.outside_walls,
+                        c.outside_walls == 1 ? "inclusion crosses" : "inclusions cross");
+  }
+  text += fmt::format("smallest gap {}{}\n", gap_text(c), worst_text(c));
+  if (!c.passed()) return text + "FAILED\n";
+  return text + (c.min_gap > 0.0 ? fmt::format("passed: every gap is at least {:.6g}\n", c.min_gap)
+                                 : "passed: no two inclusions overlap\n");
+}
+
+std::string outcome_text(const PackOutcome& outcome) {
+  std::string text;
+  std::size_t width = 0;
+  for (const GroupOutcome& group : outcome.groups) width = std::max(width, group.name.size());
+  for (const GroupOutcome& group : outcome.groups) text += group_text(group, width);
+  for (const std::string& sentence : outcome.derived) text += "  " + sentence + "\n";
+  const Certificate& c = *outcome.packing.certificate;
+  text += fmt::format("  {} ({}), {} trials, {} restarts, {:.3g} s\n", outcome.method,
+                      outcome.method_reason, outcome.trials, outcome.restarts, outcome.seconds);
+  if (outcome.stop != "target_reached") text += "  ended: " + stop_words(outcome.stop) + "\n";
+  text += fmt::format("  {}, fraction {:.6g}, smallest gap {}{}\n",
+                      c.passed() ? "certified: no overlap" : "NOT CERTIFIED", c.fraction,
+                      gap_text(c), worst_text(c));
+  return text;
+}
+
+std::string shortfall_text(const PackOutcome& outcome) {
+  std::string text = "target not reached: " + stop_words(outcome.stop);
+  for (const GroupOutcome& group : outcome.groups) {
+    if (!group.ordered_count || group.count >= *group.ordered_count) continue;
+    text += fmt::format("; {}: {} of {}, fraction {:.4g} of {:.4g}", group.name, group.count,
+                        *group.ordered_count, group.fraction, *group.ordered_fraction);
+  }
+  if (outcome.stop == "saturated" || outcome.stop == "given_up") {
+    text +=
+        "\n  rsa never moves what it placed, so it jams early (equal spheres near 0.38): "
+        "order a smaller fraction";
+  } else if (outcome.stop == "out_of_time") {
+    text += "\n  allow more time (--time-limit), try another --seed, or order a smaller fraction";
+  }
+  return text;
+}
+
+}  // namespace packstone::cli

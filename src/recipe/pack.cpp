@@ -1,0 +1,297 @@
+#include "packstone/recipe/pack.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <utility>
+
+#include "packstone/core/error.hpp"
+#include "packstone/core/overloaded.hpp"
+#include "packstone/core/version.hpp"
+#include "packstone/geometry/measures.hpp"
+#include "packstone/structure/check_packing.hpp"
+
+namespace packstone {
+namespace {
+
+bool is_round(ShapeKind shape) { return shape == ShapeKind::sphere || shape == ShapeKind::disk; }
+
+// Place in which bodies grown by half the least gap are disjoint: across walls they reach half the
+// gap outward.
+double room(const Cell& cell, double min_gap) {
+  double product = 1.0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    product *= cell.size[axis] + (cell.periodic[axis] ? 0.0 : min_gap);
+  }
+  return product;
+}
+
+// The common radius when all bodies are equal spheres or disks, else 0.
+double common_radius(const std::vector<OrderedBody>& bodies) {
+  double least = HUGE_VAL;
+  double greatest = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    if (!is_round(kind(ordered.body))) return 0.0;
+    const double r = std::visit(
+        Overloaded{[](const Sphere& b) { return b.radius; }, [](const Disk& b) { return b.radius; },
+                   [](const auto&) { return 0.0; }},
+        ordered.body);
+    least = std::min(least, r);
+    greatest = std::max(greatest, r);
+  }
+  return greatest - least <= 1e-12 * greatest ? least : 0.0;
+}
+
+// Steiner's formula to first order: a convex body grown by t has at least volume V + S t.
+void refuse_too_little_room(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
+  double needed = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    needed += volume(ordered.body);
+    if (recipe.min_gap > 0.0) needed += 0.5 * recipe.min_gap * surface(ordered.body);
+  }
+  const double part = needed / room(recipe.cell, recipe.min_gap);
+  if (part <= 1.0 + 1e-12) return;
+  throw InvalidArgument(
+      "the bodies with their gaps need " + std::to_string(part) +
+      " of the room in the cell; allowed is a sum of fractions and packing.min_gap "
+      "that needs at most 1");
+}
+
+void refuse_beyond_densest(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
+  const double radius = common_radius(bodies);
+  if (!(radius > 0.0)) return;
+  const bool plane = recipe.cell.dimension == 2;
+  const double grown = radius + 0.5 * recipe.min_gap;
+  const Body body = plane ? Body{Disk{grown}} : Body{Sphere{grown}};
+  const double part =
+      static_cast<double>(bodies.size()) * volume(body) / room(recipe.cell, recipe.min_gap);
+  const double densest = std::numbers::pi / std::sqrt(plane ? 12.0 : 18.0);
+  if (part <= densest * (1.0 + 1e-12)) return;
+  throw InvalidArgument(std::string("equal ") + (plane ? "disks" : "spheres") +
+                        " with their gaps would fill " + std::to_string(part) +
+                        " of the cell; allowed is at most " + std::to_string(densest) +
+                        ", the densest packing there is");
+}
+
+void refuse_impossible(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
+  if (bodies.empty()) return;
+  refuse_too_little_room(recipe, bodies);
+  refuse_beyond_densest(recipe, bodies);
+}
+
+RsaOptions rsa_options(const Recipe& recipe) {
+  RsaOptions options{.min_gap = recipe.min_gap,
+                     .order = recipe.rsa.order,
+                     .redraw_orientation = {},
+                     .max_trials = recipe.rsa.max_trials,
+                     .max_restarts = recipe.rsa.max_restarts,
+                     .seed = recipe.seed};
+  if (recipe.rsa.redraw_orientations) {
+    for (const InclusionGroup& group : recipe.groups) {
+      const bool random = std::holds_alternative<RandomOrientation>(group.orientation);
+      options.redraw_orientation.push_back(random && !is_round(group.shape));
+    }
+  }
+  return options;
+}
+
+// The bodies of the mix, then those of the open group, drawn in blocks.
+class Supply {
+ public:
+  Supply(const Recipe& recipe, std::vector<OrderedBody> first, int open_group)
+      : recipe_(recipe), first_(std::move(first)), open_group_(open_group) {}
+
+  OrderedBody operator()(std::int64_t k) {
+    const auto fixed = static_cast<std::int64_t>(first_.size());
+    if (k < fixed) return first_[static_cast<std::size_t>(k)];
+    const std::int64_t block = (k - fixed) / kBlock;
+    if (block != block_) {
+      drawn_ = draw_open_group(recipe_.cell, recipe_.groups[static_cast<std::size_t>(open_group_)],
+                               open_group_, block * kBlock, kBlock, recipe_.seed);
+      block_ = block;
+    }
+    return drawn_[static_cast<std::size_t>((k - fixed) % kBlock)];
+  }
+
+ private:
+  static constexpr std::int64_t kBlock = 1024;
+
+  const Recipe& recipe_;
+  std::vector<OrderedBody> first_;
+  int open_group_;
+  std::int64_t block_ = -1;
+  std::vector<OrderedBody> drawn_;
+};
+
+// Radius of the equal spheres or disks that one group alone orders in open number, else 0.
+double saturating_radius(const Recipe& recipe) {
+  if (recipe.groups.size() != 1) return 0.0;
+  const InclusionGroup& group = recipe.groups.front();
+  if (!is_round(group.shape) || !is_constant(group.size)) return 0.0;
+  return common_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed));
+}
+
+RsaResult run_rsa(const Recipe& recipe, const InclusionMix& mix, RunContext run) {
+  const RsaOptions options = rsa_options(recipe);
+  const auto open = std::find(mix.open_count.begin(), mix.open_count.end(), true);
+  if (open == mix.open_count.end()) return rsa_pack(recipe.cell, mix.bodies, options, run);
+  if (const double radius = saturating_radius(recipe); radius > 0.0) {
+    return rsa_saturate(recipe.cell, radius, options, run);
+  }
+  std::vector<OrderedBody> first = mix.bodies;
+  if (recipe.rsa.order == RsaOrder::largest_first) {
+    std::stable_sort(first.begin(), first.end(), [](const OrderedBody& a, const OrderedBody& b) {
+      return volume(a.body) > volume(b.body);
+    });
+  }
+  const int open_group = static_cast<int>(open - mix.open_count.begin());
+  Supply supply(recipe, std::move(first), open_group);
+  return rsa_fill(
+      recipe.cell, [&supply](std::int64_t k) { return supply(k); }, options, run);
+}
+
+// The axis that an orientation law speaks of.
+std::optional<Vec3> law_axis(const Body& body) {
+  using Axis = std::optional<Vec3>;
+  return std::visit(
+      Overloaded{[](const Ellipsoid& b) -> Axis {
+                   const Mat3 turn = to_matrix(b.orientation);
+                   const int axis = symmetry_axis(b.semi_axes);
+                   return axis == 0 ? turn.col_x : axis == 1 ? turn.col_y : turn.col_z;
+                 },
+                 [](const Ellipse& b) -> Axis {
+                   const bool x_is_major = b.semi_axes.x >= b.semi_axes.y;
+                   const double angle = b.angle + (x_is_major ? 0.0 : std::numbers::pi / 2);
+                   return Vec3{std::cos(angle), std::sin(angle), 0.0};
+                 },
+                 [](const Cylinder& b) -> Axis { return b.axis; },
+                 [](const Spherocylinder& b) -> Axis { return b.axis; },
+                 [](const auto&) -> Axis { return std::nullopt; }},
+      body);
+}
+
+// Sample mean of u u^T per group; bodies are OrderedBody or Inclusion.
+template <class Bodies>
+std::vector<std::optional<SymMat3>> tensors(const Bodies& bodies, std::size_t groups) {
+  std::vector<std::vector<Vec3>> axes(groups);
+  for (const auto& one : bodies) {
+    if (const auto axis = law_axis(one.body)) {
+      axes[static_cast<std::size_t>(one.group)].push_back(*axis);
+    }
+  }
+  std::vector<std::optional<SymMat3>> result(groups);
+  for (std::size_t g = 0; g < groups; ++g) {
+    if (!axes[g].empty()) result[g] = orientation_tensor(axes[g]);
+  }
+  return result;
+}
+
+std::vector<GroupOutcome> compare(const Recipe& recipe, const InclusionMix& mix,
+                                  const Packing& packing) {
+  const std::size_t count = recipe.groups.size();
+  const std::vector<bool> redrawn = rsa_options(recipe).redraw_orientation;
+  const auto ordered_tensors = tensors(mix.bodies, count);
+  const auto reached_tensors = tensors(packing.inclusions, count);
+  const double space = volume(recipe.cell);
+  std::vector<GroupOutcome> outcomes(count);
+  for (std::size_t g = 0; g < count; ++g) {
+    outcomes[g].name = recipe.groups[g].name;
+    outcomes[g].redrawn = !redrawn.empty() && redrawn[g];
+    outcomes[g].ordered_tensor = ordered_tensors[g];
+    outcomes[g].tensor = reached_tensors[g];
+    if (mix.open_count[g]) continue;
+    outcomes[g].ordered_count = 0;
+    outcomes[g].ordered_fraction = 0.0;
+  }
+  for (const OrderedBody& ordered : mix.bodies) {
+    GroupOutcome& outcome = outcomes[static_cast<std::size_t>(ordered.group)];
+    ++*outcome.ordered_count;
+    *outcome.ordered_fraction += volume(ordered.body) / space;
+  }
+  for (const Inclusion& inclusion : packing.inclusions) {
+    GroupOutcome& outcome = outcomes[static_cast<std::size_t>(inclusion.group)];
+    ++outcome.count;
+    outcome.fraction += volume(inclusion.body) / space;
+  }
+  return outcomes;
+}
+
+// Whether everything with a count stands, and an open group ended because no more was found to fit.
+bool everything_stands(const std::vector<GroupOutcome>& groups, RsaStop stop) {
+  bool open = false;
+  for (const GroupOutcome& group : groups) {
+    if (group.ordered_count && group.count < *group.ordered_count) return false;
+    open = open || !group.ordered_count;
+  }
+  return !open || stop == RsaStop::saturated || stop == RsaStop::given_up ||
+         stop == RsaStop::target_reached;
+}
+
+void certify(const Recipe& recipe, RunContext run, PackOutcome& outcome) {
+  // Not interrupted: whatever was reached is worth a certificate only when the check is complete.
+  const RunContext whole = RunContext{}.threads(run.threads());
+  outcome.packing.certificate = check_packing(outcome.packing, {.min_gap = recipe.min_gap}, whole);
+  if (outcome.packing.certificate->passed()) return;
+  outcome.target_reached = false;
+  outcome.stop = "check_failed";
+}
+
+RunContext within_time(const Recipe& recipe, RunContext run) {
+  if (!recipe.time_limit) return run;
+  // A limit beyond a century is none; the clock could not hold it.
+  constexpr double kCentury = 3e9;
+  const std::chrono::duration<double> limit(std::min(*recipe.time_limit, kCentury));
+  const auto end =
+      RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(limit);
+  return run.deadline(std::min(end, run.deadline()));
+}
+
+void check_recipe(const Recipe& recipe) {
+  check_cell(recipe.cell);
+  if (recipe.groups.empty()) throw InvalidArgument("groups: none given; allowed is 1 or more");
+  if (!(recipe.min_gap >= 0.0) || !std::isfinite(recipe.min_gap)) {
+    throw InvalidArgument("min_gap = " + std::to_string(recipe.min_gap) + "; allowed is >= 0");
+  }
+  if (recipe.time_limit && !(*recipe.time_limit > 0.0)) {
+    throw InvalidArgument("time_limit = " + std::to_string(*recipe.time_limit) +
+                          "; allowed is > 0");
+  }
+}
+
+}  // namespace
+
+PackOutcome pack(const Recipe& recipe, RunContext run) {
+  check_recipe(recipe);
+  run = within_time(recipe, run);
+  const std::clock_t start = std::clock();
+  const InclusionMix mix = draw_inclusions(recipe.cell, recipe.groups, recipe.seed);
+  refuse_impossible(recipe, mix.bodies);
+  RsaResult result = run_rsa(recipe, mix, run);
+
+  PackOutcome outcome;
+  outcome.packing = std::move(result.packing);
+  outcome.packing.groups.clear();
+  for (const InclusionGroup& group : recipe.groups) outcome.packing.groups.push_back(group.name);
+  outcome.method = "rsa";
+  outcome.method_reason =
+      recipe.method == PackMethod::rsa ? "as ordered" : "auto: the method there is for all shapes";
+  outcome.stop = name(result.stop);
+  outcome.derived = mix.derived;
+  outcome.trials = result.trials;
+  outcome.restarts = result.restarts;
+  outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  outcome.groups = compare(recipe, mix, outcome.packing);
+  outcome.target_reached = everything_stands(outcome.groups, result.stop);
+  certify(recipe, run, outcome);
+  outcome.packing.provenance = Provenance{.method = outcome.method,
+                                          .stop = outcome.stop,
+                                          .version = std::string(version()),
+                                          .seed = recipe.seed,
+                                          .seconds = outcome.seconds,
+                                          .recipe_json = recipe_to_json(recipe)};
+  return outcome;
+}
+
+}  // namespace packstone

@@ -1,0 +1,380 @@
+"""Drives the program as a user does: exit codes, messages, files. Standard library only."""
+
+import json
+import os
+import pathlib
+import pty
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ["PACKSTONE"]
+EXAMPLES = pathlib.Path(os.environ["PACKSTONE_EXAMPLES"])
+COMMANDS = ["new", "pack", "check", "draw", "export"]
+
+# Random sequential adsorption does not reach this fraction, so it runs until it is stopped.
+ENDLESS = """[cell]
+size = [1, 1, 1]
+[[inclusions]]
+name = "spheres"
+shape = "sphere"
+count = 60
+fraction = 0.55
+"""
+
+OVERLAPPING = {
+    "format": "packstone-packing", "version": 1,
+    "cell": {"size": [1, 1, 1], "periodic": [True, True, True]},
+    "inclusions": [
+        {"group": "a", "shape": "sphere", "center": [0.5, 0.5, 0.5], "radius": 0.1},
+        {"group": "a", "shape": "sphere", "center": [0.65, 0.5, 0.5], "radius": 0.1}]}
+
+
+class Case(unittest.TestCase):
+    """A test with a folder of its own, in which the program runs."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="packstone_cli_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def run_program(self, *arguments, code=0):
+        done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, timeout=300,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def read(self, name):
+        return json.loads((self.folder / name).read_text())
+
+    def files(self):
+        return sorted(os.listdir(self.folder))
+
+    def pack_fibers(self, *arguments):
+        self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "fibers.json", *arguments)
+        return self.read("fibers.json")
+
+
+class Usage(Case):
+    def test_help_fits_a_screen_and_ends_with_an_example(self):
+        for command in [[], *[[c] for c in COMMANDS]]:
+            text = self.run_program(*command, "--help").stdout
+            lines = text.rstrip("\n").split("\n")
+            self.assertLessEqual(len(lines), 24, text)
+            self.assertLessEqual(max(map(len, lines)), 80, text)
+            self.assertIn("Example: packstone", lines[-1], text)
+
+    def test_help_shows_what_is_built_and_nothing_else(self):
+        text = self.run_program("--help").stdout
+        listed = text[text.index("Subcommands:"):].split("\n")[1:]
+        self.assertEqual([line.split()[0] for line in listed if line.startswith("  ")], COMMANDS)
+
+    def test_version_names_libraries_and_licenses(self):
+        text = self.run_program("--version").stdout
+        self.assertRegex(text, r"^packstone \d+\.\d+\.\d+ \(Apache-2\.0\)")
+        for library in ["oneTBB", "HDF5", "nlohmann-json", "toml++", "CLI11", "BSD-3-Clause"]:
+            self.assertIn(library, text)
+        self.assertIn("No component under the GPL", text)
+
+    def test_wrong_usage_ends_with_2_and_speaks_on_standard_error(self):
+        fibers = EXAMPLES / "fibers.toml"
+        for arguments in [[], ["frobnicate"], ["pack"], ["pack", "--frobnicate"], ["check"],
+                          ["draw", "x.json"], ["new"], ["new", "cubes"],
+                          ["pack", fibers, "--seed", "-1"], ["pack", fibers, "--seed", "x"],
+                          ["pack", fibers, "--threads", "-2"],
+                          ["pack", fibers, "--time-limit", "soon"]]:
+            done = self.run_program(*arguments, code=2)
+            self.assertEqual(done.stdout, "", arguments)
+            self.assertNotEqual(done.stderr, "", arguments)
+        self.assertEqual(self.files(), [])
+
+    def test_an_output_that_cannot_be_written_is_refused_before_work(self):
+        recipe = self.write("endless.toml", ENDLESS)
+        (self.folder / "taken.json").mkdir()
+        for output, words in [("out.xyz", "allowed is one of .json, .h5"), ("out", "no ending"),
+                              ("nowhere/out.json", "there is no folder nowhere"),
+                              ("taken.json", "is a folder")]:
+            done = self.run_program("pack", recipe, "-o", output, code=2)
+            self.assertIn(words, done.stderr)
+        for command, output in [("draw", "p.bmp"), ("export", "p.obj")]:
+            done = self.run_program(command, "missing.json", "-o", output, code=2)
+            self.assertIn("unknown ending", done.stderr)
+
+    @unittest.skipIf(os.geteuid() == 0, "the administrator may write everywhere")
+    def test_a_folder_without_permission_is_refused_before_work(self):
+        recipe = self.write("endless.toml", ENDLESS)
+        (self.folder / "locked").mkdir(mode=0o500)
+        done = self.run_program("pack", recipe, "-o", "locked/out.json", code=2)
+        self.assertIn("no permission", done.stderr)
+
+
+class Recipes(Case):
+    def test_every_template_is_listed_and_is_an_example(self):
+        examples = [path.read_text() for path in EXAMPLES.glob("*.toml")]
+        listed = self.run_program("new", "--list").stdout.splitlines()
+        self.assertGreaterEqual(len(listed), 8)
+        for line in listed:
+            name = line.split()[0]
+            self.run_program("new", name, "-o", f"{name}.toml")
+            text = self.run_program("new", name).stdout
+            self.assertEqual(text, (self.folder / f"{name}.toml").read_text())
+            self.assertIn(text, examples)
+
+    def test_every_example_packs_and_checks(self):
+        examples = sorted(EXAMPLES.glob("*.toml"))
+        self.assertGreaterEqual(len(examples), 9)
+        for example in examples:
+            with self.subTest(example.name):
+                done = self.run_program("pack", example, "-o", "out.json", "--json")
+                summary = json.loads(done.stdout)
+                self.assertTrue(summary["target_reached"])
+                gap = summary["certificate"]["min_gap"]
+                self.run_program("check", "out.json", "--min-gap", gap)
+
+    def test_a_wrong_recipe_ends_with_2_and_names_file_line_and_range(self):
+        recipe = self.write("bad.toml", ENDLESS.replace("0.55", "1.5").replace("count", "cuont"))
+        done = self.run_program("pack", recipe, code=2)
+        self.assertIn('bad.toml:6: unknown key "inclusions[0].cuont"; did you mean "count"?',
+                      done.stderr)
+        self.assertIn("bad.toml:7: inclusions[0].fraction = 1.5; allowed is a number > 0 and < 1",
+                      done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(self.files(), ["bad.toml"])
+        self.run_program("pack", "missing.toml", code=2)
+
+    def test_what_is_proven_impossible_is_refused_before_work(self):
+        recipe = self.write("r.toml", ENDLESS)
+        for override, words in [("inclusions[0].fraction=0.75", "the densest packing there is"),
+                                ("packing.min_gap=0.3", "allowed")]:
+            done = self.run_program("pack", recipe, "--set", override, code=2)
+            self.assertIn(words, done.stderr)
+        self.write("large.toml", "[cell]\nsize = [1, 1, 1]\n[[inclusions]]\nshape = \"sphere\"\n"
+                                 "radius = 0.6\n")
+        self.assertNotEqual(self.run_program("pack", "large.toml", code=2).stderr, "")
+        self.assertEqual(self.files(), ["large.toml", "r.toml"])
+
+    def test_overrides_change_the_recipe_and_are_kept_with_the_packing(self):
+        packing = self.pack_fibers("--seed", "7", "--set", "inclusions.fibers.count=20",
+                                   "--set", "inclusions[1].count=15", "--set", "cell.size=[2,2,2]",
+                                   "--time-limit", "1 min")
+        groups = [inclusion["group"] for inclusion in packing["inclusions"]]
+        self.assertEqual((groups.count("fibers"), groups.count("beads")), (20, 15))
+        self.assertEqual(packing["cell"]["size"], [2, 2, 2])
+        recipe = packing["provenance"]["recipe"]
+        self.assertEqual(recipe["packing"]["seed"], 7)
+        self.assertEqual(recipe["packing"]["time_limit"], 60)
+        done = self.run_program("pack", EXAMPLES / "fibers.toml", "--set", "packing.sed=1", code=2)
+        self.assertIn("--set packing.sed=1: unknown key", done.stderr)
+
+
+class Packing(Case):
+    def test_the_packing_is_certified_and_says_where_it_came_from(self):
+        packing = self.pack_fibers()
+        self.assertEqual(len(packing["inclusions"]), 100)
+        self.assertAlmostEqual(packing["certificate"]["fraction"], 0.20, places=12)
+        self.assertEqual(packing["certificate"]["overlaps"], 0)
+        self.assertEqual(packing["provenance"]["method"], "rsa")
+        self.assertEqual(packing["provenance"]["stop"], "target_reached")
+        self.assertRegex(packing["provenance"]["version"], r"^\d+\.\d+\.\d+$")
+
+    def test_the_same_recipe_gives_the_same_packing_for_any_number_of_threads(self):
+        first = self.pack_fibers("--threads", "1")["inclusions"]
+        self.assertEqual(first, self.pack_fibers("--threads", "3")["inclusions"])
+        self.assertNotEqual(first, self.pack_fibers("--seed", "2")["inclusions"])
+
+    def test_a_packing_is_its_own_recipe(self):
+        first = self.pack_fibers("--seed", "5")["inclusions"]
+        self.run_program("pack", "fibers.json", "-o", "again.h5")
+        self.run_program("pack", "again.h5", "-o", "third.json")
+        self.assertEqual(first, self.read("third.json")["inclusions"])
+        self.assertIn("-o is missing", self.run_program("pack", "fibers.json", code=2).stderr)
+
+    def test_without_o_the_packing_takes_the_name_of_the_recipe(self):
+        shutil.copy(EXAMPLES / "walls.toml", self.folder)
+        self.run_program("pack", "walls.toml", "--quiet")
+        self.assertEqual(self.files(), ["walls.json", "walls.toml"])
+
+    def test_the_summary_is_for_people_or_one_json_object(self):
+        text = self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json").stdout
+        for words in ["f.json", "60 of 60", "40 of 40", "certified: no overlap", "auto"]:
+            self.assertIn(words, text)
+        done = self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json", "--json")
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["packing"], "f.json")
+        self.assertEqual([group["count"] for group in summary["groups"]], [60, 40])
+        self.assertTrue(summary["certificate"]["passed"])
+        self.assertTrue(summary["derived"])
+        self.assertGreaterEqual(summary["trials"], 100)
+
+    def test_quiet_is_silent(self):
+        done = self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json", "--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_redrawn_orientations_are_reported(self):
+        recipe = EXAMPLES / "salnikov_mixture.toml"
+        self.assertIn("redrawn", self.run_program("pack", recipe, "-o", "s.json").stdout)
+        done = self.run_program("pack", recipe, "-o", "s.json", "--json")
+        orientation = json.loads(done.stdout)["groups"][0]["orientation"]
+        self.assertTrue(orientation["redrawn"])
+        for tensor in (orientation["tensor"], orientation["tensor_ordered"]):
+            self.assertAlmostEqual(sum(tensor[i][i] for i in range(3)), 1.0, places=12)
+        self.assertNotEqual(orientation["tensor"], orientation["tensor_ordered"])
+
+    def test_a_prescribed_tensor_is_met_by_what_stands(self):
+        done = self.run_program("pack", EXAMPLES / "injection_fibers.toml", "-o", "i.json", "--json")
+        tensor = json.loads(done.stdout)["groups"][0]["orientation"]["tensor"]
+        ordered = [[0.70, 0.05, 0.0], [0.05, 0.25, 0.0], [0.0, 0.0, 0.05]]
+        for i in range(3):
+            for j in range(3):
+                # The exact correction of the sample promises 1e-12; placing changes no direction.
+                self.assertAlmostEqual(tensor[i][j], ordered[i][j], delta=1e-11)
+
+    def test_a_size_alone_fills_the_cell_until_nothing_fits(self):
+        done = self.run_program("pack", EXAMPLES / "saturated_spheres.toml", "-o", "s.json",
+                                "--json", "--set", "cell.size=[12, 12, 12]")
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["stop"], "saturated")
+        self.assertIsNone(summary["groups"][0]["count_ordered"])
+        # 0.384 in the limit; a cell of six diameters spreads by a few percent.
+        self.assertAlmostEqual(summary["certificate"]["fraction"], 0.384, delta=0.03)
+
+
+class Stopping(Case):
+    def start(self, stderr):
+        self.write("endless.toml", ENDLESS)
+        return subprocess.Popen([PROGRAM, "pack", "endless.toml", "-o", "out.json"],
+                                cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=stderr)
+
+    def check_kept(self, stop):
+        packing = self.read("out.json")
+        self.assertGreater(len(packing["inclusions"]), 10)
+        self.assertEqual(packing["provenance"]["stop"], stop)
+        self.run_program("check", "out.json")
+        # Nothing half written beside it.
+        self.assertEqual(self.files(), ["endless.toml", "out.json"])
+
+    def test_an_interrupt_keeps_the_best_valid_state_and_ends_with_130(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start(subprocess.PIPE)
+            time.sleep(1.0)
+            process.send_signal(number)
+            _, stderr = process.communicate(timeout=120)
+            self.assertEqual(process.returncode, 130, stderr)
+            self.assertIn("interrupted", stderr)
+            self.check_kept("cancelled")
+
+    def test_the_time_limit_keeps_the_best_valid_state_and_ends_with_1(self):
+        self.write("endless.toml", ENDLESS)
+        done = self.run_program("pack", "endless.toml", "-o", "out.json", "--time-limit", "1 s",
+                                code=1)
+        self.assertIn("the time limit passed", done.stderr)
+        self.assertRegex(done.stderr, r"spheres: \d+ of 60")
+        self.check_kept("out_of_time")
+
+    def test_a_shortfall_is_one_in_json_too(self):
+        self.write("endless.toml", ENDLESS)
+        done = self.run_program("pack", "endless.toml", "-o", "out.json", "--set",
+                                "packing.rsa.max_restarts=0", "--json", code=1)
+        summary = json.loads(done.stdout)
+        self.assertFalse(summary["target_reached"])
+        self.assertEqual(summary["stop"], "saturated")
+        self.assertLess(summary["groups"][0]["count"], 60)
+        self.check_kept("saturated")
+
+    def test_progress_in_a_log_is_plain_lines(self):
+        process = self.start(subprocess.PIPE)
+        time.sleep(3.0)
+        process.send_signal(signal.SIGINT)
+        stderr = process.communicate(timeout=120)[1]
+        self.assertRegex(stderr.split("\n")[0], r"\d+ of 60")
+        self.assertNotIn("\r", stderr)
+
+    def test_progress_on_a_terminal_is_one_line_that_is_wiped_at_the_end(self):
+        terminal, side = pty.openpty()
+        process = self.start(side)
+        os.close(side)
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=120)
+        text = b""
+        try:
+            while chunk := os.read(terminal, 65536):
+                text += chunk
+        except OSError:  # the other side is closed
+            pass
+        os.close(terminal)
+        line = text.decode().split("packstone: ")[0]
+        self.assertGreater(line.count("\r"), 3)
+        self.assertNotIn("\n", line)
+        self.assertTrue(line.endswith("\r\x1b[K"), repr(line[-40:]))
+
+
+class Checking(Case):
+    def test_an_overlap_is_an_honest_no(self):
+        self.write("bad.json", OVERLAPPING)
+        done = self.run_program("check", "bad.json", code=1)
+        self.assertIn("1 pair overlaps", done.stdout)
+        self.assertIn("between inclusions 0 and 1", done.stdout)
+        certificate = json.loads(self.run_program("check", "bad.json", "--json", code=1).stdout)
+        self.assertFalse(certificate["passed"])
+        self.assertEqual(certificate["overlaps"], 1)
+        self.assertAlmostEqual(certificate["smallest_gap"], -0.05, places=12)
+
+    def test_the_least_gap_is_checked_when_asked_for(self):
+        packing = json.loads(json.dumps(OVERLAPPING))
+        packing["inclusions"][1]["center"][0] = 0.75
+        self.write("near.json", packing)
+        self.run_program("check", "near.json")
+        self.run_program("check", "near.json", "--min-gap", "0.04")
+        done = self.run_program("check", "near.json", "--min-gap", "0.06", code=1)
+        self.assertIn("closer than 0.06", done.stdout)
+        self.run_program("check", "near.json", "--min-gap", "-1", code=2)
+
+    def test_what_is_no_packing_ends_with_2(self):
+        self.write("text.json", "hello")
+        self.write("other.json", {"format": "something"})
+        for name in ["text.json", "other.json", "missing.json"]:
+            done = self.run_program("check", name, code=2)
+            self.assertIn(name, done.stderr)
+            self.assertEqual(done.stdout, "")
+
+    def test_a_witness_is_written_beside_the_verdict(self):
+        self.pack_fibers()
+        self.run_program("check", "fibers.json", "--witness", "w.csv")
+        self.assertTrue((self.folder / "w.csv").read_text().startswith("# packstone-witness 1"))
+        done = self.run_program("check", "fibers.json", "--witness", "nowhere/w.csv", code=2)
+        self.assertIn("nowhere", done.stderr)
+
+
+class Pictures(Case):
+    def test_a_packing_is_drawn_and_exported_by_ending(self):
+        self.pack_fibers()
+        self.run_program("draw", "fibers.json", "-o", "f.png", "--color-by", "orientation", "--cut",
+                         "--azimuth", "-20", "--width", "64", "--height", "48", "--samples", "1")
+        data = (self.folder / "f.png").read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", data[16:24]), (64, 48))
+        for name in ["f.vtu", "f.csv", "f.stl"]:
+            self.run_program("export", "fibers.json", "-o", name, "--segments", "12", "--images")
+            self.assertGreater((self.folder / name).stat().st_size, 1000)
+        self.run_program("draw", "fibers.json", "-o", "f.png", "--color-by", "taste", code=2)
+
+    def test_a_packing_in_the_plane_is_drawn_as_svg(self):
+        self.run_program("pack", EXAMPLES / "ellipses_2d.toml", "-o", "e.json", "--quiet")
+        self.run_program("draw", "e.json", "-o", "e.svg")
+        self.assertIn("<svg", (self.folder / "e.svg").read_text())
+        self.pack_fibers()
+        self.run_program("draw", "fibers.json", "-o", "f.svg", code=2)
+        self.assertNotIn("f.svg", self.files())
+
+
+if __name__ == "__main__":
+    unittest.main()
