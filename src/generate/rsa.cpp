@@ -69,8 +69,8 @@ void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
     throw InvalidArgument(fmt::format("body {}: group is {}; it must be >= 0", k, ordered.group));
   }
   const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options, ordered.group));
-  const auto reason = rsa::why_it_cannot_stand(cell, Candidate(ordered.body), options.min_gap,
-                                               turning != Turning::none);
+  const auto reason =
+      rsa::why_it_cannot_stand(cell, ordered.body, options.min_gap, turning != Turning::none);
   if (reason) {
     throw InvalidArgument(fmt::format("body {} ({}, group {}) cannot stand in the cell: {}", k,
                                       name(shape), ordered.group, *reason));
@@ -145,13 +145,12 @@ class Adsorption {
     const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options_, ordered.group));
     const bool same = list_ && list_->turning() == turning && list_->body() == ordered.body;
     if (!same) list_.reset();
-    candidate_ = Candidate(ordered.body);
+    candidate_ = Candidate(ordered.body, placed_.needs_extents());
     trials_in_row_ = 0;
     if (!same) {
       const Search plain = try_anywhere(turning, item);
       if (plain != Search::no_room) return plain;
       list_.emplace(placed_, candidate_, turning);
-      list_cost_ = 0;
     }
     return try_vacancies(item);
   }
@@ -178,7 +177,8 @@ class Adsorption {
   Candidate draw_turned(Turning turning, std::int64_t item, std::int64_t k) const {
     RandomStream random(key_, StreamId::rsa_orientation, static_cast<std::uint64_t>(item),
                         static_cast<std::uint64_t>(k));
-    return Candidate(rsa::turned_at_random(candidate_.body, turning, random));
+    return Candidate(rsa::turned_at_random(candidate_.body, turning, random),
+                     placed_.needs_extents());
   }
 
   // Search::no_room here only means that plain trials have cost enough.
@@ -216,6 +216,14 @@ class Adsorption {
       Candidate turned;
       return list_->fits(draw(k, turned), cost);
     };
+    const Search search = split_and_try(draw, trial);
+    if (list_cost_ > 0) usual_list_cost_ = (3 * usual_list_cost_ + list_cost_) / 4;
+    list_cost_ = 0;
+    return search;
+  }
+
+  template <class Draw, class Trial>
+  Search split_and_try(const Draw& draw, const Trial& trial) {
     while (list_->size() > 0) {
       const std::int64_t budget = list_->can_split() ? trial_budget() : kNoBudget;
       const rsa::TrialRun outcome =
@@ -228,7 +236,6 @@ class Adsorption {
       });
       if (search != Search::no_room) return search;
       list_cost_ += list_->split(run_);
-      usual_list_cost_ = std::max(list_cost_, usual_list_cost_ / 2);
       if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
         return as_search(stop);
       }
@@ -249,16 +256,20 @@ class Adsorption {
   }
 
   // Trials before the next split get as much as the split will cost, times the part of the cells
-  // that splits keep: where splitting thins the list fast, trials can wait.
+  // that splits keep: where splitting thins the list fast, trials can wait. As long as the list
+  // holds most poses and is cheap to split, it offers nothing that plain trials did not.
   std::int64_t trial_budget() const {
-    return static_cast<std::int64_t>(static_cast<double>(list_->expected_split_cost()) *
-                                     list_->kept_by_last_split());
+    const std::int64_t split = list_->expected_split_cost();
+    if (list_->part() > 0.5 && split < plain_budget(list_->turning()) / 4) return 0;
+    return static_cast<std::int64_t>(static_cast<double>(split) * list_->kept_by_last_split());
   }
 
-  // What a list of vacancies is likely to cost: what the last one has cost, or a guess.
+  // Plain trials may cost half of what a list of vacancies is likely to: a mean over those that
+  // were needed so far, or a guess. So the two together cost little more than the better one.
   std::int64_t plain_budget(Turning turning) const {
-    if (usual_list_cost_ > 0) return usual_list_cost_;
-    return (turning == Turning::none ? 200 : 4000) * (20 + std::int64_t{placed_.size()});
+    if (usual_list_cost_ > 0) return usual_list_cost_ / 2;
+    const std::int64_t per_body = turning == Turning::none ? 1000 : 6000;
+    return per_body * (10 + std::int64_t{placed_.size()});
   }
 
   const Cell& cell_;

@@ -16,7 +16,7 @@ constexpr std::int64_t kMostSearchedOneByOne = 150;
 
 // In the search one by one: covers the rounding of floats, and that of the coarse coordinates
 // relative to the longest edge [-].
-constexpr float kFloatSlack = 1.0F + 1e-5F;
+constexpr float kFloatSlack = 1e-5F;
 constexpr double kCoarseSlack = 0x1p-28;
 
 // The part of the reach, squared, that counts as near in the search one by one [-].
@@ -52,8 +52,9 @@ struct ShiftRange {
 
 }  // namespace
 
-Candidate::Candidate(const Body& from)
-    : body(from), outline(outline_of(from)), half_extents(packstone::half_extents(from)) {}
+Candidate::Candidate(const Body& from, bool with_extents) : body(from), outline(outline_of(from)) {
+  if (with_extents) half_extents = packstone::half_extents(from);
+}
 
 bool proven_apart(const Body& a, const Outline& outline_a, const Body& b, const Outline& outline_b,
                   const Vec3& r_ab, double min_gap) noexcept {
@@ -110,14 +111,18 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
     : cell_(cell),
       min_gap_(min_gap),
       use_grid_(expected > kMostSearchedOneByOne),
+      needs_extents_(use_grid_),
       shortest_period_(std::numeric_limits<double>::infinity()),
       period_{0.0, 0.0, 0.0},
       per_period_{0.0, 0.0, 0.0},
       grid_step_{0.0, 0.0, 0.0},
+      per_grid_step_{0.0, 0.0, 0.0},
       grid_(cell) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
     // 2^32 steps to a period; along walls half as many, so that no difference wraps around.
     grid_step_[axis] = cell.size[axis] * (cell.periodic[axis] ? 0x1p-32 : 0x1p-30);
+    per_grid_step_[axis] = 1.0 / grid_step_[axis];
+    needs_extents_ |= !cell.periodic[axis];
     if (!cell.periodic[axis]) continue;
     period_[axis] = cell.size[axis];
     per_period_[axis] = 1.0 / cell.size[axis];
@@ -130,13 +135,13 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
     return;
   }
   for (auto* column : {&x_, &y_, &z_}) column->reserve(count);
-  reach_.reserve(count);
+  for (auto* column : {&reach_, &core_}) column->reserve(count);
 }
 
 void PlacedBodies::clear() {
   bodies_.clear();
   for (auto* column : {&x_, &y_, &z_}) column->clear();
-  reach_.clear();
+  for (auto* column : {&reach_, &core_}) column->clear();
   if (use_grid_) grid_.clear();
   largest_circum_radius_ = 0.0;
 }
@@ -150,6 +155,9 @@ void PlacedBodies::add(const Candidate& candidate, const Vec3& center) {
     y_.push_back(p.y);
     z_.push_back(p.z);
     reach_.push_back(static_cast<float>(candidate.outline.circum_radius));
+    const double longest = std::max({cell_.size.x, cell_.size.y, cell_.size.z});
+    core_.push_back(
+        static_cast<float>(std::max(0.0, candidate.outline.in_radius - kCoarseSlack * longest)));
   }
   bodies_.push_back({candidate.body, candidate.outline, center});
   largest_circum_radius_ = std::max(largest_circum_radius_, candidate.outline.circum_radius);
@@ -171,6 +179,7 @@ bool PlacedBodies::search_all(const Candidate& candidate, const Vec3& center, Ne
   const double reach = candidate.outline.circum_radius + min_gap_;
   const double longest = std::max({cell_.size.x, cell_.size.y, cell_.size.z});
   const auto float_reach = static_cast<float>(reach + kCoarseSlack * longest);
+  const auto float_core = static_cast<float>(candidate.outline.in_radius + min_gap_);
   const GridPoint c = grid_point(center);
   const auto sx = static_cast<float>(grid_step_[0]), sy = static_cast<float>(grid_step_[1]),
              sz = static_cast<float>(grid_step_[2]);
@@ -178,37 +187,42 @@ bool PlacedBodies::search_all(const Candidate& candidate, const Vec3& center, Ne
   const std::int32_t count = size();
   for (std::int32_t first = 0; first < count; first += block) {
     const std::int32_t in_block = std::min(block, count - first);
-    float excess[block];
+    float part[block], near_part[block];
+    int inside = 0;
     for (std::int32_t k = 0; k < in_block; ++k) {
       // Unsigned differences wrap around as the cell does: these are the nearest images.
       const float dx = sx * static_cast<float>(static_cast<std::int32_t>(x_[first + k] - c.x));
       const float dy = sy * static_cast<float>(static_cast<std::int32_t>(y_[first + k] - c.y));
       const float dz = sz * static_cast<float>(static_cast<std::int32_t>(z_[first + k] - c.z));
-      const float far = (float_reach + reach_[first + k]) * kFloatSlack;
-      excess[k] = (dx * dx + dy * dy + dz * dz) / (far * far);
+      const float distance_sq = dx * dx + dy * dy + dz * dz;
+      const float far = (float_reach + reach_[first + k]) * (1.0F + kFloatSlack);
+      const float near_by = (float_core + core_[first + k]) * (1.0F - kFloatSlack);
+      inside |= static_cast<int>(distance_sq < near_by * near_by);
+      part[k] = distance_sq - far * far;
+      near_part[k] = distance_sq - kNearPart * far * far;
     }
-    // The nearer half of those within reach first: they are the likeliest to overlap.
-    std::int32_t within[block];
-    std::int32_t near_count = 0, far_begin = block;
+    cost += in_block / 4 * Cost::pair;
+    if (inside != 0) return false;
+    // The nearer ones of those within reach first: they are the likeliest to overlap.
+    std::int32_t nearer[block + 1], farther[block + 1];
+    std::int32_t nearer_count = 0, farther_count = 0;
     for (std::int32_t k = 0; k < in_block; ++k) {
-      if (excess[k] > 1.0F) continue;
-      if (excess[k] < kNearPart) {
-        within[near_count++] = first + k;
-      } else {
-        within[--far_begin] = first + k;
-      }
+      const bool is_near = near_part[k] <= 0.0F;
+      nearer[nearer_count] = first + k;
+      nearer_count += is_near ? 1 : 0;
+      farther[farther_count] = first + k;
+      farther_count += !is_near && part[k] <= 0.0F ? 1 : 0;
     }
     const auto look_at = [&](std::int32_t body) {
       const Vec3 r = nearest_image(bodies_[body].center - center);
       return near.add(body, r) && (one_image_each || add_farther_images(body, r, reach, near));
     };
-    for (std::int32_t k = 0; k < near_count; ++k) {
-      if (!look_at(within[k])) return false;
+    for (std::int32_t k = 0; k < nearer_count; ++k) {
+      if (!look_at(nearer[k])) return false;
     }
-    for (std::int32_t k = block - 1; k >= far_begin; --k) {
-      if (!look_at(within[k])) return false;
+    for (std::int32_t k = 0; k < farther_count; ++k) {
+      if (!look_at(farther[k])) return false;
     }
-    cost += in_block / 4 * Cost::pair;
   }
   return true;
 }
@@ -260,8 +274,7 @@ Vec3 PlacedBodies::nearest_image(const Vec3& d) const {
 
 PlacedBodies::GridPoint PlacedBodies::grid_point(const Vec3& p) const {
   const auto coordinate = [&](std::size_t axis) {
-    if (grid_step_[axis] == 0.0) return std::uint32_t{0};
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(p[axis] / grid_step_[axis]));
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(p[axis] * per_grid_step_[axis]));
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }

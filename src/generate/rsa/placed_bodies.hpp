@@ -27,10 +27,10 @@ struct Cost {
 struct Candidate {
   Body body;
   Outline outline;
-  Vec3 half_extents;
+  Vec3 half_extents;  ///< Zero where nobody asks for them.
 
   Candidate() = default;
-  explicit Candidate(const Body& from);
+  explicit Candidate(const Body& from, bool with_extents = true);
 };
 
 /// One periodic image of a placed body.
@@ -49,6 +49,9 @@ class PlacedBodies {
  public:
   /// @param expected  Bodies that will be placed; decides how they are searched.
   PlacedBodies(const Cell& cell, double min_gap, std::int64_t expected);
+
+  /// Do candidates need half extents: for the grid, or for walls?
+  [[nodiscard]] bool needs_extents() const { return needs_extents_; }
 
   void clear();
   void add(const Candidate& candidate, const Vec3& center);
@@ -102,15 +105,17 @@ class PlacedBodies {
   Cell cell_;
   double min_gap_;
   bool use_grid_;
+  bool needs_extents_;
   double shortest_period_;            // Infinite without periodic axes.
   std::array<double, 3> period_;      // 0 along axes that are not periodic.
   std::array<double, 3> per_period_;  // 1 / period, or 0.
   std::array<double, 3> grid_step_;   // Of the coarse coordinates; 0 along z in 2D [L].
   double largest_circum_radius_ = 0.0;
+  std::array<double, 3> per_grid_step_;
   std::vector<Placed> bodies_;
   // For the search one by one: coordinates apart, so that the compiler uses vector registers.
   std::vector<std::uint32_t> x_, y_, z_;
-  std::vector<float> reach_;
+  std::vector<float> reach_, core_;  // Circumscribed and inscribed radii.
   HierarchicalGrid grid_;
 };
 

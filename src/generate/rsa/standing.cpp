@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "packstone/core/tolerances.hpp"
+#include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/contact.hpp"
 
 namespace packstone::rsa {
@@ -45,6 +48,16 @@ std::optional<std::string> why_walls_refuse(const Cell& cell, const Vec3& half_e
   return std::nullopt;
 }
 
+// Fully periodic, and far too small to meet an own image: the common case, settled at once.
+bool is_plainly_small(const Cell& cell, const Body& body, double min_gap) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
+    if (!cell.periodic[a]) return false;
+    shortest = std::min(shortest, cell.size[a]);
+  }
+  return 2.0 * circum_radius(body) + min_gap < 0.999 * shortest;
+}
+
 }  // namespace
 
 CenterBox centers_inside_walls(const Cell& cell, const Vec3& half_extents) noexcept {
@@ -78,13 +91,15 @@ bool meets_own_image(const Cell& cell, const Candidate& candidate, double min_ga
   });
 }
 
-std::optional<std::string> why_it_cannot_stand(const Cell& cell, const Candidate& candidate,
-                                               double min_gap, bool any_turn) {
+std::optional<std::string> why_it_cannot_stand(const Cell& cell, const Body& body, double min_gap,
+                                               bool any_turn) {
   if (any_turn) {
-    const double radius = candidate.outline.in_radius;
-    const Candidate ball(cell.dimension == 2 ? Body{Disk{radius}} : Body{Sphere{radius}});
+    const double radius = in_radius(body);
+    const Body ball = cell.dimension == 2 ? Body{Disk{radius}} : Body{Sphere{radius}};
     return why_it_cannot_stand(cell, ball, min_gap, false);
   }
+  if (is_plainly_small(cell, body, min_gap)) return std::nullopt;
+  const Candidate candidate(body);
   if (auto reason = why_walls_refuse(cell, candidate.half_extents)) return reason;
   if (clears_own_images(cell, candidate, min_gap)) return std::nullopt;
   return fmt::format(

@@ -29,8 +29,7 @@ struct CenterBox {
 
 /// Why the body cannot stand in the empty cell; nothing if it can. `any_turn`: it may be turned at
 /// will, so only what holds for every orientation counts.
-[[nodiscard]] std::optional<std::string> why_it_cannot_stand(const Cell& cell,
-                                                             const Candidate& candidate,
+[[nodiscard]] std::optional<std::string> why_it_cannot_stand(const Cell& cell, const Body& body,
                                                              double min_gap, bool any_turn);
 
 }  // namespace packstone::rsa

@@ -240,16 +240,21 @@ bool VacancyList::is_empty(const CommonCore& core, const Box& box,
     const double far = core.middle_outline.circum_radius + other.circum_radius + min_gap + blur;
     cost += Cost::pair;
     if (norm_sq(r) > far * far) continue;
-    const Glance seen = glance(core.middle_outline, other, r, min_gap);
+    const Verdict seen = quick_verdict(core.middle_outline, other, r, min_gap);
     cost += Cost::glance;
-    // No member of the cell comes near this image: g(n) changes by no more than the box and the
-    // swing of the capsule reach along n.
-    if (seen.gap_bound - box_reach(box.half, seen.normal) - core.swing > min_gap) continue;
+    if (seen == Verdict::separated) {
+      // Does any member of the cell come near this image? g(n) changes by no more than the box and
+      // the swing of the capsule reach along n.
+      const Glance apart = glance(core.middle_outline, other, r, min_gap);
+      const double reach = box_reach(box.half, apart.normal) + core.swing;
+      cost += Cost::glance;
+      if (apart.gap_bound - reach <= min_gap) kept.push_back(image);
+      continue;
+    }
     kept.push_back(image);
-    if (seen.verdict == Verdict::separated) continue;
     if (covers(image, core, box, cost)) return true;
     // What overlaps the middle goes first: it is the likeliest to cover a child or stop a trial.
-    if (seen.verdict == Verdict::overlapping) std::swap(kept[front++], kept.back());
+    if (seen == Verdict::overlapping) std::swap(kept[front++], kept.back());
   }
   return false;
 }
@@ -386,12 +391,14 @@ VacancyList::Pose VacancyList::draw(RandomStream& random, Candidate& turned) con
     pose.center[axis] = std::min(random.uniform(lo, hi), hi);
   }
   if (turning_ == Turning::full) {
-    turned = Candidate(turned_at_random(candidate_.body, turning_, random));
+    turned =
+        Candidate(turned_at_random(candidate_.body, turning_, random), placed_.needs_extents());
     pose.candidate = &turned;
   } else if (turning_ != Turning::none) {
     const double u = random.uniform();
     const double v = random.uniform();
-    turned = Candidate(division_.orientations.turned(candidate_.body, cell.orientation, u, v));
+    turned = Candidate(division_.orientations.turned(candidate_.body, cell.orientation, u, v),
+                       placed_.needs_extents());
     pose.candidate = &turned;
   }
   return pose;
