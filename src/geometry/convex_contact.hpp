@@ -207,7 +207,8 @@ CoreGap search_core_gap(const A& a, const B& b, const Vec3& r, double tolerance)
   return gap;
 }
 
-/// gap() of contact.hpp.
+/// gap() of contact.hpp. One of the bodies must have a core with interior: for two of point and
+/// segment there are closed forms.
 template <class A, class B>
 Gap gap(const A& a, const B& b, const Vec3& r) noexcept {
   const double tolerance = 0.1 * kGapRoundoff * std::fmax(reach(a), reach(b));
