@@ -132,7 +132,7 @@ void run_scaling(std::int64_t largest) {
   fmt::print("equal ellipsoids, aspect 2, fraction 0.25; processor time, median\n");
   fmt::print("   count     seconds   us each  peak MB  hash\n");
   for (std::int64_t count = 1000; count <= largest; count *= 10) {
-    const int runs = count >= 100'000 ? 3 : 7;
+    const int runs = count >= 1'000'000 ? 1 : count >= 100'000 ? 3 : 7;
     std::vector<double> seconds;
     std::uint64_t hash = 0;
     const auto bodies = scenes::equal_ellipsoids(count, 0.25, 2.0, 1);

@@ -281,10 +281,30 @@ PlacedBodies::GridPoint PlacedBodies::grid_point(const Vec3& p) const {
 
 bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center,
                                NearPairs& near) const {
-  const auto visit = [&](std::int32_t id, const HierarchicalGrid::Image& image) {
-    return near.add(id, (bodies_[id].center - center) + image_shift(cell_, image));
+  // In large packings most of the time goes into waiting for memory, so bodies are asked for some
+  // at a time before the first of them is looked at.
+  constexpr int capacity = 6;
+  struct Hit {
+    std::int32_t id;
+    Vec3 shift;
   };
-  return grid_.query(center, candidate.half_extents, min_gap_, visit);
+  std::array<Hit, capacity> hits;
+  int count = 0;
+  const auto look_at_hits = [&] {
+    for (int k = 0; k < count; ++k) {
+      const Hit& hit = hits[static_cast<std::size_t>(k)];
+      if (!near.add(hit.id, (bodies_[hit.id].center - center) + hit.shift)) return false;
+    }
+    count = 0;
+    return true;
+  };
+  const auto visit = [&](std::int32_t id, const HierarchicalGrid::Image& image) {
+    const auto* bytes = reinterpret_cast<const char*>(&bodies_[id]);
+    for (std::size_t line = 0; line < sizeof(Placed); line += 64) __builtin_prefetch(bytes + line);
+    hits[static_cast<std::size_t>(count++)] = {id, image_shift(cell_, image)};
+    return count < capacity || look_at_hits();
+  };
+  return grid_.query(center, candidate.half_extents, min_gap_, visit) && look_at_hits();
 }
 
 void PlacedBodies::add_images_near(std::int32_t i, const Vec3& lo, const Vec3& hi, double reach,
