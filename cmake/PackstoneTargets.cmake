@@ -40,6 +40,8 @@ function(packstone_test name)
                                              ${ARG_LINKS})
   add_test(NAME ${name} COMMAND test_${name} "~[validation]")
   add_test(NAME ${name}_validation COMMAND test_${name} "[validation]")
+  set_tests_properties(${name} ${name}_validation PROPERTIES ENVIRONMENT
+                       TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/tsan.supp)
   set_tests_properties(${name} PROPERTIES LABELS fast)
   set_tests_properties(${name}_validation PROPERTIES LABELS validation
                        SKIP_REGULAR_EXPRESSION "No test cases matched")

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace packstone::recipe {
 namespace {
@@ -15,6 +16,8 @@ struct Place {
   toml::node* parent = nullptr;
   Step step;
 };
+
+constexpr std::size_t kMaxSteps = 64;  // far more than any recipe has levels
 
 std::size_t end_of_key(const std::string& path, std::size_t begin) {
   return std::min(path.find_first_of(".[", begin), path.size());
@@ -45,6 +48,7 @@ std::vector<Step> steps_of(const std::string& path) {
       i = end;
     }
     if (i < path.size() && path[i] == '.' && ++i == path.size()) return {};
+    if (steps.size() > kMaxSteps) return {};
   }
   return steps;
 }
@@ -58,17 +62,24 @@ std::string trimmed(const std::string& text) {
 /// `{ v = value }`; every node in it says that it came from `origin`.
 std::optional<toml::table> parsed_value(const std::string& value, const std::string& origin,
                                         std::string& problem) {
-  try {
-    toml::table table = toml::parse("v = " + value, origin);
-    if (table.size() == 1) return table;
-    problem = "more than one value";
-  } catch (const toml::parse_error& error) {
-    problem = std::string(error.description());
+  if (line_of_endless_key(value)) {
+    problem = "a key of too many parts";
+    return std::nullopt;
   }
   // A shell takes the quotes off a string, so a word or phrase stands for one.
   const bool phrase =
       !value.empty() && value.find_first_of("[]{}\"'\\\n\r=#,") == std::string::npos;
-  if (phrase) return toml::parse("v = \"" + value + "\"", origin);
+  std::vector<std::string> readings{"v = " + value};
+  if (phrase) readings.push_back("v = \"" + value + "\"");
+  for (const std::string& reading : readings) {
+    try {
+      toml::table table = toml::parse(reading, origin);
+      if (table.size() == 1) return table;
+      problem = "more than one value";
+    } catch (const toml::parse_error& error) {
+      problem = std::string(error.description());
+    }
+  }
   return std::nullopt;
 }
 

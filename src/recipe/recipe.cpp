@@ -21,6 +21,9 @@ using recipe::Complaints;
 using recipe::Entry;
 using recipe::TableView;
 
+// Far more levels than any recipe has; what goes down a tree calls itself once per level.
+constexpr int kMaxJsonDepth = 64;
+
 // The table `key` of `parent`, if it is one; complains when it is something else.
 const toml::table* table_at(const TableView& parent, std::string_view key, Complaints& complaints) {
   const Entry entry = parent[key];
@@ -225,7 +228,7 @@ void with_toml(const nlohmann::json& value, const Put& put) {
 toml::table table_of(const nlohmann::json& value) {
   toml::table table;
   for (const auto& [key, child] : value.items()) {
-    with_toml(child, [&table, &name = key](auto&& node) { table.insert(name, std::move(node)); });
+    with_toml(child, [&table, &name = key](auto node) { table.insert(name, std::move(node)); });
   }
   return table;
 }
@@ -233,9 +236,18 @@ toml::table table_of(const nlohmann::json& value) {
 toml::array array_of(const nlohmann::json& value) {
   toml::array array;
   for (const auto& child : value) {
-    with_toml(child, [&array](auto&& node) { array.push_back(std::move(node)); });
+    with_toml(child, [&array](auto node) { array.push_back(std::move(node)); });
   }
   return array;
+}
+
+nlohmann::json parsed_json(std::string_view text, const std::string& origin) {
+  const auto watch = [&origin](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth <= kMaxJsonDepth) return true;
+    throw InvalidArgument(origin + ": nested deeper than " + std::to_string(kMaxJsonDepth) +
+                          " levels");
+  };
+  return nlohmann::json::parse(text, watch, false);
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -264,6 +276,9 @@ std::string_view name(PackMethod method) noexcept {
 
 Recipe recipe_from_toml(std::string_view text, const std::string& origin,
                         const std::vector<Override>& overrides) {
+  if (const auto line = recipe::line_of_endless_key(text)) {
+    throw InvalidArgument(origin + ":" + std::to_string(*line) + ": a key of too many parts");
+  }
   toml::table tree;
   try {
     tree = toml::parse(text, origin);
@@ -278,7 +293,7 @@ Recipe recipe_from_toml(std::string_view text, const std::string& origin,
 
 Recipe recipe_from_json(std::string_view text, const std::string& origin,
                         const std::vector<Override>& overrides) {
-  const auto value = nlohmann::json::parse(text, nullptr, false);
+  const auto value = parsed_json(text, origin);
   if (!value.is_object()) throw InvalidArgument(origin + ": not a JSON object");
   toml::table tree = table_of(value);
   return recipe_from_tree(tree, origin, overrides);

@@ -148,6 +148,18 @@ std::string shown(const toml::node& node) {
   return text;
 }
 
+std::optional<int> line_of_endless_key(std::string_view text) {
+  constexpr int kMaxParts = 1000;
+  int parts = 1;
+  int line = 1;
+  for (const char c : text) {
+    if (std::string_view(",=[]{}\n").find(c) != std::string_view::npos) parts = 1;
+    if (c == '\n') ++line;
+    if (c == '.' && ++parts > kMaxParts) return line;
+  }
+  return std::nullopt;
+}
+
 std::optional<double> read_number(const Entry& entry, const Range& range, Complaints& complaints) {
   const bool numeric = entry.node->is_number();
   const auto value = numeric ? entry.node->value<double>() : std::nullopt;

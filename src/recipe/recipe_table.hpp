@@ -88,6 +88,11 @@ class TableView {
 /// The value as TOML text on one line, numbers as short as they round-trip, cut when long.
 [[nodiscard]] std::string shown(const toml::node& node);
 
+/// The line of a key a.b.c of more than 1000 parts. The parser bounds the nesting of brackets but
+/// not that of such keys, and what goes down a tree calls itself once per level. Dots count until
+/// one of ",=[]{}" or the end of the line, wherever they stand: strings and notes too.
+[[nodiscard]] std::optional<int> line_of_endless_key(std::string_view text);
+
 // Readers of one present entry: the value, or a complaint and nothing.
 [[nodiscard]] std::optional<double> read_number(const Entry& entry, const Range& range,
                                                 Complaints& complaints);

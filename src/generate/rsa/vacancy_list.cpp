@@ -180,11 +180,11 @@ std::int64_t VacancyList::split(const RunContext& run) {
     for (const std::int64_t end : part.neighbor_ends) neighbor_ends_.push_back(shift + end);
     last_split_cost_ += part.cost;
   }
-  const double pieces = turned ? finer.orientations.branching()
-                               : static_cast<double>(finer.counts[0] / division_.counts[0]) *
-                                     (finer.counts[1] / division_.counts[1]) *
-                                     (finer.counts[2] / division_.counts[2]);
-  last_split_children_ = static_cast<std::int64_t>(pieces) * parents;
+  std::int64_t pieces = turned ? finer.orientations.branching() : 1;
+  for (std::size_t axis = 0; axis < 3 && !turned; ++axis) {
+    pieces *= finer.counts[axis] / division_.counts[axis];
+  }
+  last_split_children_ = pieces * parents;
   kept_by_last_split_ = static_cast<double>(size()) / static_cast<double>(last_split_children_);
   division_ = finer;
   cores_ = std::move(cores);
