@@ -379,8 +379,7 @@ RsaResult rsa_fill(const Cell& cell, const BodySource& source, const RsaOptions&
                    RunContext run) {
   check_cell(cell);
   check_options(options);
-  constexpr std::int64_t many = 100'000;
-  Adsorption adsorption(cell, options, run, many);
+  Adsorption adsorption(cell, options, run, 0);
   adsorption.start(options.seed);
   RsaResult result;
   result.packing.cell = cell;

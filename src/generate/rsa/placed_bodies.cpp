@@ -11,7 +11,8 @@
 namespace packstone::rsa {
 namespace {
 
-// Up to here a loop over all bodies beats the grid: measured, see bench_rsa.
+// Up to here a loop over all bodies beats the grid: for equal ellipsoids of aspect 2 at fraction
+// 0.25 the two take the same time near 180 bodies.
 constexpr std::int64_t kMostSearchedOneByOne = 150;
 
 // In the search one by one: covers the rounding of floats, and that of the coarse coordinates
@@ -146,9 +147,19 @@ void PlacedBodies::clear() {
   largest_circum_radius_ = 0.0;
 }
 
+// More bodies came than were expected.
+void PlacedBodies::switch_to_grid() {
+  use_grid_ = true;
+  needs_extents_ = true;
+  for (std::int32_t i = 0; i < size(); ++i) {
+    grid_.insert(i, bodies_[i].center, packstone::half_extents(bodies_[i].body));
+  }
+}
+
 void PlacedBodies::add(const Candidate& candidate, const Vec3& center) {
+  if (!use_grid_ && size() >= kMostSearchedOneByOne) switch_to_grid();
   if (use_grid_) {
-    grid_.insert(size(), center, candidate.half_extents);
+    grid_.insert(size(), center, packstone::half_extents(candidate.body));
   } else {
     const GridPoint p = grid_point(center);
     x_.push_back(p.x);

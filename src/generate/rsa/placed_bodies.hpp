@@ -47,7 +47,7 @@ struct PlacedImage {
 /// Bodies placed so far. Few of them are searched one by one, many with a grid.
 class PlacedBodies {
  public:
-  /// @param expected  Bodies that will be placed; decides how they are searched.
+  /// @param expected  Bodies that will be placed, as far as known; decides how they are searched.
   PlacedBodies(const Cell& cell, double min_gap, std::int64_t expected);
 
   /// Do candidates need half extents: for the grid, or for walls?
@@ -93,6 +93,7 @@ class PlacedBodies {
                   std::int64_t& cost) const;
   bool add_farther_images(std::int32_t body, const Vec3& r, double reach, NearPairs& near) const;
   bool add_all_farther_images(std::int32_t body, const Vec3& r, double far, NearPairs& near) const;
+  void switch_to_grid();
   bool search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near) const;
 
   // Coordinates in 2^-32 of the period, which wrap around as the cell does.

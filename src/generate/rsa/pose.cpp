@@ -192,10 +192,10 @@ double OrientationCells::angle(std::int32_t cell) const noexcept {
   if (turning_ == Turning::none) return 0.0;
   if (turning_ == Turning::full) return kPi;
   if (turning_ == Turning::in_plane) return 0.5 * kPi / (1 << level_);
-  // Along the map of the HEALPix plane the arc grows at most by the factor 1 / sqrt(5 / 9) * 8 /
-  // (3 pi) * pi / ... : equatorial zone |z| <= 2/3, ds <= max(cos, (8 / 3 pi) / sqrt(1 - z^2))
-  // |d(x, y)|; polar zone ds^2 <= (1 + z)/3 (|dx| + |dy|)^2 + (8 / (3 pi))^2 3 / (1 + z) dy^2.
-  // A pixel reaches (pi/4) / 2^level from its middle, in |dx| + |dy|.
+  // How the map of the HEALPix plane stretches arcs. Equatorial zone, |z| <= 2/3: ds <= max(1,
+  // (8 / 3 pi) / sqrt(1 - z^2)) |d(x, y)|. Polar zone: ds^2 <= (1 + z)/3 (|dx| + |dy|)^2 +
+  // (8 / 3 pi)^2 3 / (1 + z) dy^2, since sin(theta) = sigma sqrt((1 + z) / 3) there.
+  // A pixel reaches (pi/4) / 2^level from its middle, measured by |dx| + |dy|.
   const double reach = kPi / 4 / (1 << level_);
   const Pixel pixel = pixel_of(cell, level_);
   const double y = plane_point(pixel, level_, 0.5, 0.5).y;
