@@ -44,12 +44,17 @@ double common_radius(const std::vector<OrderedBody>& bodies) {
   return greatest - least <= 1e-12 * greatest ? least : 0.0;
 }
 
-// Steiner's formula to first order: a convex body grown by t has at least volume V + S t.
+// Steiner's formula without the term of the mean curvature, which is positive: a convex body grown
+// by t has at least volume V + S t + 4/3 pi t^3, in the plane area A + P t + pi t^2 (there
+// exactly).
 void refuse_too_little_room(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
+  const double growth = 0.5 * recipe.min_gap;
+  const bool plane = recipe.cell.dimension == 2;
+  const double ball = volume(plane ? Body{Disk{growth}} : Body{Sphere{growth}});
   double needed = 0.0;
   for (const OrderedBody& ordered : bodies) {
     needed += volume(ordered.body);
-    if (recipe.min_gap > 0.0) needed += 0.5 * recipe.min_gap * surface(ordered.body);
+    if (growth > 0.0) needed += growth * surface(ordered.body) + ball;
   }
   const double part = needed / room(recipe.cell, recipe.min_gap);
   if (part <= 1.0 + 1e-12) return;

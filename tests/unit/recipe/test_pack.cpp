@@ -1,0 +1,160 @@
+#include "packstone/recipe/pack.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <string>
+
+#include "packstone/core/error.hpp"
+#include "packstone/structure/check_packing.hpp"
+#include "scenes.hpp"
+
+using namespace packstone;
+
+namespace {
+
+Recipe order(const std::string& groups, const std::string& size = "[1, 1, 1]") {
+  return recipe_from_toml("[cell]\nsize = " + size + "\n" + groups, "test.toml");
+}
+
+const std::string kMixture = R"(
+[[inclusions]]
+name = "rods"
+shape = "spherocylinder"
+aspect = 3
+count = 20
+fraction = 0.08
+[[inclusions]]
+name = "balls"
+shape = "sphere"
+count = 30
+fraction = 0.06
+size = { uniform = [1, 2] }
+)";
+
+// Random sequential adsorption of so few large spheres does not come near this.
+const std::string kBeyond = R"(
+[[inclusions]]
+name = "balls"
+shape = "sphere"
+count = 60
+fraction = 0.6
+)";
+
+}  // namespace
+
+TEST_CASE("pack makes what is ordered, certified, with its origin") {
+  const Recipe recipe = order(kMixture + "[packing]\nmin_gap = 0.01\nseed = 3\n");
+  const PackOutcome outcome = pack(recipe);
+  CHECK(outcome.target_reached);
+  CHECK(outcome.stop == "target_reached");
+  REQUIRE(outcome.groups.size() == 2);
+  CHECK(outcome.groups[0].ordered_count == 20);
+  CHECK(outcome.groups[0].count == 20);
+  // Count and fraction are both met; a sum of 30 volumes rounds in its last digits.
+  CHECK(outcome.groups[1].fraction == Approx(0.06).epsilon(1e-13));
+  CHECK(outcome.packing.groups == std::vector<std::string>{"rods", "balls"});
+  REQUIRE(outcome.packing.certificate.has_value());
+  CHECK(outcome.packing.certificate == check_packing(outcome.packing, {.min_gap = 0.01}));
+  CHECK(outcome.packing.certificate->passed());
+  REQUIRE(outcome.packing.provenance.has_value());
+  CHECK(outcome.packing.provenance->seed == 3);
+  CHECK(outcome.packing.provenance->recipe_json == recipe_to_json(recipe));
+}
+
+TEST_CASE("pack gives the same bits for the recipe that it left in the provenance") {
+  const PackOutcome first = pack(order(kMixture));
+  const Recipe again = recipe_from_json(first.packing.provenance->recipe_json, "again.json");
+  const PackOutcome second = pack(again, RunContext{}.threads(3));
+  CHECK(scenes::state_hash(first.packing) == scenes::state_hash(second.packing));
+  const PackOutcome other =
+      pack(recipe_from_json(recipe_to_json(again), "other.json", {"packing.seed=2"}));
+  CHECK(scenes::state_hash(first.packing) != scenes::state_hash(other.packing));
+}
+
+TEST_CASE("a shortfall is an outcome with a certified packing, not an error") {
+  const PackOutcome outcome = pack(order(kBeyond + "[packing.rsa]\nmax_restarts = 0\n"));
+  CHECK_FALSE(outcome.target_reached);
+  CHECK(outcome.stop == "saturated");
+  CHECK(outcome.groups[0].ordered_count == 60);
+  CHECK(outcome.groups[0].count < 60);
+  CHECK(outcome.groups[0].count > 10);
+  CHECK(outcome.packing.certificate->passed());
+}
+
+TEST_CASE("a cancelled run and one out of time keep what is valid") {
+  const Recipe recipe = order(kBeyond);
+  const std::atomic<bool> cancelled{true};
+  const PackOutcome stopped = pack(recipe, RunContext{}.cancel_flag(&cancelled));
+  CHECK(stopped.stop == "cancelled");
+  CHECK_FALSE(stopped.target_reached);
+  CHECK(stopped.packing.certificate->passed());
+
+  Recipe limited = recipe;
+  limited.time_limit = 0.05;
+  CHECK(pack(limited).stop == "out_of_time");
+  // The sooner of the two limits holds.
+  limited.time_limit = 1e6;
+  const auto soon = RunContext::Clock::now() + std::chrono::milliseconds(50);
+  CHECK(pack(limited, RunContext{}.deadline(soon)).stop == "out_of_time");
+}
+
+TEST_CASE("a size alone fills the cell, around groups that are counted") {
+  const PackOutcome alone =
+      pack(order("[[inclusions]]\nshape = \"disk\"\nradius = 0.05\n", "[1, 1]"));
+  CHECK(alone.target_reached);
+  CHECK(alone.stop == "saturated");
+  CHECK_FALSE(alone.groups[0].ordered_count.has_value());
+  // 0.547 in the limit; some 70 disks spread by a few percent.
+  CHECK(alone.groups[0].fraction == Approx(0.547).margin(0.05));
+
+  const PackOutcome around = pack(order(
+      "[[inclusions]]\nname = \"few\"\nshape = \"ellipse\"\naspect = 3\ncount = 5\nfraction = 0.2\n"
+      "[[inclusions]]\nname = \"rest\"\nshape = \"disk\"\nradius = 0.04\n",
+      "[1, 1]"));
+  CHECK(around.target_reached);
+  CHECK(around.groups[0].count == 5);
+  CHECK(around.groups[1].count > 10);
+}
+
+TEST_CASE("redrawn orientations are reported beside those that were drawn") {
+  const PackOutcome redrawn = pack(order(kMixture + "[packing.rsa]\nredraw_orientations = true\n"));
+  CHECK(redrawn.groups[0].redrawn);
+  CHECK_FALSE(redrawn.groups[1].redrawn);
+  REQUIRE(redrawn.groups[0].tensor.has_value());
+  REQUIRE(redrawn.groups[0].ordered_tensor.has_value());
+  CHECK(redrawn.groups[0].tensor != redrawn.groups[0].ordered_tensor);
+  CHECK_FALSE(redrawn.groups[1].tensor.has_value());
+  const PackOutcome kept = pack(order(kMixture));
+  CHECK_FALSE(kept.groups[0].redrawn);
+  // The same axes, summed in another order.
+  CHECK(trace(*kept.groups[0].tensor - *kept.groups[0].ordered_tensor) ==
+        Approx(0.0).margin(1e-13));
+  CHECK(kept.groups[0].tensor->xx == Approx(kept.groups[0].ordered_tensor->xx).margin(1e-13));
+}
+
+TEST_CASE("what cannot be is refused before any work") {
+  const std::string ball = "[[inclusions]]\nshape = \"sphere\"\n";
+  CHECK_THROWS_WITH(pack(order(ball + "count = 100\nfraction = 0.75\n")),
+                    Catch::Contains("0.74") && Catch::Contains("densest"));
+  CHECK_THROWS_WITH(
+      pack(order("[[inclusions]]\nshape = \"disk\"\ncount = 9\nfraction = 0.91\n", "[1, 1]")),
+      Catch::Contains("densest"));
+  CHECK_THROWS_WITH(pack(order(kMixture + "[packing]\nmin_gap = 0.5\n")),
+                    Catch::Contains("need") && Catch::Contains("min_gap"));
+  CHECK_THROWS_AS(pack(order(ball + "radius = 0.6\n")), InvalidArgument);
+  CHECK_THROWS_AS(pack(Recipe{}), InvalidArgument);
+  Recipe negative = order(kMixture);
+  negative.min_gap = -1.0;
+  CHECK_THROWS_WITH(pack(negative), Catch::Contains("min_gap = -1"));
+}
+
+TEST_CASE("bounds that refuse do not refuse what is possible") {
+  // One sphere as wide as the cell and a hair less, between walls.
+  const std::string tight = "[[inclusions]]\nshape = \"sphere\"\ncount = 1\nradius = 0.4999\n";
+  const Recipe recipe = order(
+      "[[inclusions]]\nshape = \"sphere\"\ncount = 1\nradius = 0.4\n"
+      "[packing]\nmin_gap = 0.19\n");
+  CHECK(pack(recipe).target_reached);
+  CHECK(pack(order(tight)).target_reached);
+}
