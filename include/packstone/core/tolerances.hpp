@@ -22,7 +22,8 @@ inline constexpr double kProofRoundoff = kSupportRoundoff + 12 * kUnitRoundoff;
 /// Promised error of gap() over the larger circumscribed radius [-].
 inline constexpr double kGapRoundoff = 1e-12;
 
-/// How far the length of a stored unit vector or quaternion may be from 1 [-]. Readers refuse more.
-inline constexpr double kUnitTolerance = 1e-9;
+/// How far the length of a stored unit vector or quaternion may be from 1 [-]: rounding of numbers
+/// written in full, with room; readers refuse more, since the body would be another one.
+inline constexpr double kUnitTolerance = 1e-12;
 
 }  // namespace packstone

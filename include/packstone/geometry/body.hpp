@@ -85,7 +85,7 @@ enum class ShapeKind { sphere, ellipsoid, cylinder, spherocylinder, disk, ellips
 }
 
 /// Throws InvalidArgument when a size is not a finite number > 0, or a direction or quaternion is
-/// not of length 1 within 1e-9.
+/// not of length 1 within kUnitTolerance.
 void check_body(const Body& body);
 
 }  // namespace packstone
