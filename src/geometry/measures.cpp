@@ -105,6 +105,24 @@ SymMat3 second_moment(const Body& body) noexcept {
       body);
 }
 
+Vec3 long_axis(const Body& body) noexcept {
+  return std::visit(
+      Overloaded{[](const Ellipsoid& b) {
+                   const Mat3 frame = to_matrix(b.orientation);
+                   const Vec3& s = b.semi_axes;
+                   if (s.x >= s.y && s.x >= s.z) return frame.col_x;
+                   return s.y >= s.z ? frame.col_y : frame.col_z;
+                 },
+                 [](const Cylinder& b) { return b.axis; },
+                 [](const Spherocylinder& b) { return b.axis; },
+                 [](const Ellipse& b) {
+                   const Vec3 u{std::cos(b.angle), std::sin(b.angle), 0.0};
+                   return b.semi_axes.x >= b.semi_axes.y ? u : Vec3{-u.y, u.x, 0.0};
+                 },
+                 [](const Sphere&) { return Vec3{}; }, [](const Disk&) { return Vec3{}; }},
+      body);
+}
+
 Body scaled(const Body& body, double f) noexcept {
   return std::visit(Overloaded{[=](const Sphere& b) -> Body { return Sphere{f * b.radius}; },
                                [=](const Ellipsoid& b) -> Body {

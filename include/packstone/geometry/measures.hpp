@@ -19,6 +19,11 @@ namespace packstone {
 /// ([L^4] in 2D). The inertia tensor at density 1 is trace(M) I - M.
 [[nodiscard]] SymMat3 second_moment(const Body& body) noexcept;
 
+/// The direction in which the body is longest: the axis of a cylinder or spherocylinder, the
+/// longest axis of an ellipsoid or ellipse (the first of equals), unit; (0, 0, 0) of spheres and
+/// disks.
+[[nodiscard]] Vec3 long_axis(const Body& body) noexcept;
+
 /// The same shape, each length multiplied by `factor` > 0.
 [[nodiscard]] Body scaled(const Body& body, double factor) noexcept;
 

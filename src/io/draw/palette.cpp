@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "packstone/core/overloaded.hpp"
 #include "packstone/geometry/measures.hpp"
 
 namespace packstone::draw {
@@ -36,26 +35,6 @@ Vec3 ramp(double t) {
   const auto i = std::min(static_cast<std::size_t>(x), stops.size() - 2);
   const double f = x - static_cast<double>(i);
   return (1.0 - f) * from_hex(stops[i]) + f * from_hex(stops[i + 1]);
-}
-
-// Longest axis of the body: the direction that the eye sees.
-Vec3 long_axis(const Body& body) {
-  return std::visit(Overloaded{[](const Ellipsoid& b) {
-                                 const Mat3 m = to_matrix(b.orientation);
-                                 const Vec3& s = b.semi_axes;
-                                 if (s.x >= s.y && s.x >= s.z) return m.col_x;
-                                 return s.y >= s.z ? m.col_y : m.col_z;
-                               },
-                               [](const Cylinder& b) { return b.axis; },
-                               [](const Spherocylinder& b) { return b.axis; },
-                               [](const Ellipse& b) {
-                                 const double a = b.semi_axes.x >= b.semi_axes.y
-                                                      ? b.angle
-                                                      : b.angle + 0.5 * std::numbers::pi;
-                                 return Vec3{std::cos(a), std::sin(a), 0.0};
-                               },
-                               [](const auto&) { return Vec3{}; }},
-                    body);
 }
 
 // Period pi in the angle, as an axis has no sign.

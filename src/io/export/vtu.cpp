@@ -45,27 +45,6 @@ Vec3 body_half_lengths(const Body& body) {
                     body);
 }
 
-/// The direction that coloring by orientation wants: the axis of a rod, the longest axis of an
-/// ellipsoid or ellipse (the first of equals), none (0, 0, 0) of balls and disks.
-Vec3 direction(const Body& body) {
-  const auto none = [](const auto&) { return Vec3{}; };
-  return std::visit(Overloaded{[&](const Sphere& b) { return none(b); },
-                               [](const Ellipsoid& b) {
-                                 const Mat3 frame = to_matrix(b.orientation);
-                                 const Vec3& a = b.semi_axes;
-                                 if (a.x >= a.y && a.x >= a.z) return frame.col_x;
-                                 return a.y >= a.z ? frame.col_y : frame.col_z;
-                               },
-                               [](const Cylinder& b) { return b.axis; },
-                               [](const Spherocylinder& b) { return b.axis; },
-                               [&](const Disk& b) { return none(b); },
-                               [](const Ellipse& b) {
-                                 const Vec3 u{std::cos(b.angle), std::sin(b.angle), 0.0};
-                                 return b.semi_axes.x >= b.semi_axes.y ? u : Vec3{-u.y, u.x, 0.0};
-                               }},
-                    body);
-}
-
 void write_vector(ByteWriter& out, const Vec3& v) {
   out.number(v.x);
   out.number(v.y);
@@ -192,7 +171,7 @@ class VtkGrid {
       write_vector(out, body_half_lengths(body(p)));
     });
     add_value(list, "axis", "Float64", 3, 24,
-              [this](auto& out, const Placement& p) { write_vector(out, direction(body(p))); });
+              [this](auto& out, const Placement& p) { write_vector(out, long_axis(body(p))); });
   }
 
   const Packing& packing_;

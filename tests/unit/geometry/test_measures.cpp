@@ -1,4 +1,6 @@
+#include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "packstone/geometry/support.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
