@@ -153,3 +153,19 @@ TEST_CASE("measures follow scale and turn") {
     }
   }
 }
+
+TEST_CASE("the long axis is where ellipsoids, ellipses and spherocylinders reach farthest") {
+  Zoo zoo(4);
+  for (const ShapeKind shape :
+       {ShapeKind::ellipsoid, ShapeKind::spherocylinder, ShapeKind::ellipse}) {
+    for (int k = 0; k < 100; ++k) {
+      const Body body = zoo.body(shape, 1.0);
+      const Vec3 axis = long_axis(body);
+      CHECK(norm(axis) == Approx(1.0).epsilon(1e-12));
+      CHECK(support(body, axis) == Approx(circum_radius(body)).epsilon(1e-12));
+    }
+  }
+  CHECK(long_axis(Cylinder{1, 2, {0, 1, 0}}) == Vec3{0, 1, 0});
+  CHECK(long_axis(Sphere{1}) == Vec3{});
+  CHECK(long_axis(Disk{1}) == Vec3{});
+}

@@ -63,7 +63,7 @@ TEST_CASE("the zero with a sign and the least and greatest numbers come back") {
 TEST_CASE("a unit vector that is off by rounding is kept bit for bit, not normalized again") {
   Packing packing;
   packing.groups = {"g"};
-  packing.inclusions = {{{0, 0, 0}, Cylinder{1, 1, {0, 0.6, 0.8 + 5e-10}}, 0}};
+  packing.inclusions = {{{0, 0, 0}, Cylinder{1, 1, {0, 0.6, 0.8 + 5e-13}}, 0}};
   CHECK(test::same_bits(packing_from_json(packing_to_json(packing), "text"), packing));
 }
 
