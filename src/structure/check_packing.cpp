@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "packstone/core/compensated_sum.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/tolerances.hpp"
@@ -34,22 +35,6 @@ constexpr double kWallRoundoff = 4 * kUnitRoundoff;
 // Beyond this, own images alone are more than a check should be asked to look at.
 constexpr double kMaxPeriods = 500;
 constexpr double kMaxImages = 1e6;
-
-// A sum whose error does not grow with the number of terms. A. Neumaier, Z. Angew. Math. Mech. 54
-// (1974) 39-51.
-class CompensatedSum {
- public:
-  void add(double x) {
-    const double sum = sum_ + x;
-    rest_ += std::abs(sum_) >= std::abs(x) ? (sum_ - sum) + x : (x - sum) + sum_;
-    sum_ = sum;
-  }
-  [[nodiscard]] double value() const { return sum_ + rest_; }
-
- private:
-  double sum_ = 0.0;
-  double rest_ = 0.0;
-};
 
 void take_census(const Packing& packing, Certificate& certificate) {
   std::vector<CompensatedSum> volumes(packing.groups.size());
