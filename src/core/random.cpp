@@ -7,25 +7,14 @@
 
 namespace packstone {
 
-RandomStream::RandomStream(std::uint64_t seed, StreamId id, std::uint64_t item,
-                           std::uint64_t trial) noexcept
-    : counter_{0, item, trial, 0}, key_{seed, static_cast<std::uint64_t>(id)} {}
-
-std::uint64_t RandomStream::bits() noexcept {
-  if (next_ == 4) {
-    const r123::Philox4x64::ctr_type counter{{counter_[0], counter_[1], counter_[2], counter_[3]}};
-    const r123::Philox4x64::key_type key{{key_[0], key_[1]}};
-    const auto block = r123::Philox4x64{}(counter, key);
-    for (unsigned i = 0; i < 4; ++i) block_[i] = block[i];
-    ++counter_[0];
-    next_ = 0;
-  }
-  return block_[next_++];
+void RandomStream::fill_block() noexcept {
+  const r123::Philox4x64::ctr_type counter{{counter_[0], counter_[1], counter_[2], counter_[3]}};
+  const r123::Philox4x64::key_type key{{key_[0], key_[1]}};
+  const auto block = r123::Philox4x64{}(counter, key);
+  for (unsigned i = 0; i < 4; ++i) block_[i] = block[i];
+  ++counter_[0];
+  next_ = 0;
 }
-
-double RandomStream::uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
-
-double RandomStream::uniform(double lo, double hi) noexcept { return lo + (hi - lo) * uniform(); }
 
 std::uint64_t RandomStream::below(std::uint64_t n) noexcept {
   // Lemire's multiply-shift with rejection: D. Lemire, ACM Trans. Model. Comput. Simul. 29

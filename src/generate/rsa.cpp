@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "generate/rsa/equal_balls.hpp"
 #include "generate/rsa/placed_bodies.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
@@ -139,8 +140,12 @@ class Adsorption {
 
   // Body number `item` of the order.
   Search place(const OrderedBody& ordered, std::int64_t item) {
-    if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
-      return as_search(stop);
+    // Most bodies stand after a few trials, so that reading the clock for each would be felt.
+    if (bodies_until_poll_-- == 0) {
+      bodies_until_poll_ = 7;
+      if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
+        return as_search(stop);
+      }
     }
     const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options_, ordered.group));
     const bool same = list_ && list_->turning() == turning && list_->body() == ordered.body;
@@ -159,11 +164,6 @@ class Adsorption {
   [[nodiscard]] std::int64_t trials() const { return trials_; }
 
  private:
-  struct Pose {
-    Candidate candidate;
-    Vec3 center;
-  };
-
   // Trial k of a plain search: a center anywhere, an orientation of any kind.
   Vec3 draw_center(const rsa::CenterBox& box, std::int64_t item, std::int64_t k) const {
     RandomStream random(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item),
@@ -190,10 +190,14 @@ class Adsorption {
     const auto trial = [&](std::int64_t k, std::int64_t& cost) {
       cost += Cost::trial;
       const Vec3 center = draw_center(box, item, k);
-      if (!turns) return placed_.leaves_room_for(candidate_, center, cost);
+      PlacedBodies::Nearby nearby;
+      if (!placed_.look_around(candidate_.outline, center, nearby, cost)) return false;
+      if (!turns) return placed_.leaves_room_for(candidate_, center, nearby, cost);
+      const double ball = candidate_.outline.in_radius;
+      if (!placed_.ball_leaves_room(ball, center, nearby, cost)) return false;
       const Candidate turned = draw_turned(turning, item, k);
       cost += Cost::trial;
-      return placed_.leaves_room_for(turned, center, cost) &&
+      return placed_.leaves_room_for(turned, center, nearby, cost) &&
              rsa::is_inside(rsa::centers_inside_walls(cell_, turned.half_extents), center,
                             cell_.dimension) &&
              rsa::clears_own_images(cell_, turned, options_.min_gap);
@@ -207,14 +211,13 @@ class Adsorption {
   }
 
   Search try_vacancies(std::int64_t item) {
-    const auto draw = [&](std::int64_t k, Candidate& turned) {
+    const auto draw = [&](std::int64_t k) {
       RandomStream random(key_, StreamId::rsa_voxel, static_cast<std::uint64_t>(item),
                           static_cast<std::uint64_t>(k));
-      return list_->draw(random, turned);
+      return list_->draw(random);
     };
     const auto trial = [&](std::int64_t k, std::int64_t& cost) {
-      Candidate turned;
-      return list_->fits(draw(k, turned), cost);
+      return list_->fits(draw(k), cost);
     };
     const Search search = split_and_try(draw, trial);
     if (list_cost_ > 0) usual_list_cost_ = (3 * usual_list_cost_ + list_cost_) / 4;
@@ -229,9 +232,8 @@ class Adsorption {
       const rsa::TrialRun outcome =
           rsa::run_trials(trials_in_row_, options_.max_trials, budget, run_, trial);
       const Search search = conclude(outcome, [&](std::int64_t k) {
-        Candidate turned;
-        const VacancyList::Pose pose = draw(k, turned);
-        placed_.add(*pose.candidate, wrapped(cell_, pose.center));
+        const VacancyList::Pose pose = draw(k);
+        placed_.add(list_->turned(pose), wrapped(cell_, pose.center));
         list_->add_last_placed();
       });
       if (search != Search::no_room) return search;
@@ -283,6 +285,7 @@ class Adsorption {
   std::int64_t trials_in_row_ = 0;
   std::int64_t list_cost_ = 0;
   std::int64_t usual_list_cost_ = 0;
+  int bodies_until_poll_ = 0;
 };
 
 RsaStop stop_of(Search search) {
@@ -308,20 +311,81 @@ struct Kept {
   std::vector<Inclusion> inclusions;
 };
 
-std::vector<Inclusion> in_given_order(const PlacedBodies& placed,
-                                      const std::vector<OrderedBody>& bodies,
-                                      const std::vector<std::int64_t>& sequence) {
-  std::vector<std::int32_t> placed_as(bodies.size(), -1);
-  for (std::int32_t k = 0; k < placed.size(); ++k) {
+// Of `count` bodies placed in the order of `sequence`; at(k) is where and how the k-th stands.
+template <class At>
+std::vector<Inclusion> in_given_order(std::int64_t count, const std::vector<OrderedBody>& bodies,
+                                      const std::vector<std::int64_t>& sequence, const At& at) {
+  std::vector<std::int64_t> placed_as(bodies.size(), -1);
+  for (std::int64_t k = 0; k < count; ++k) {
     placed_as[static_cast<std::size_t>(sequence[static_cast<std::size_t>(k)])] = k;
   }
   std::vector<Inclusion> inclusions;
-  inclusions.reserve(static_cast<std::size_t>(placed.size()));
+  inclusions.reserve(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const std::int32_t k = placed_as[i];
-    if (k >= 0) inclusions.push_back({placed.center(k), placed.body(k), bodies[i].group});
+    if (placed_as[i] < 0) continue;
+    const auto& [center, body] = at(placed_as[i]);
+    inclusions.push_back({center, body, bodies[i].group});
   }
   return inclusions;
+}
+
+struct StandingBody {
+  const Vec3& center;
+  const Body& body;
+};
+
+bool is_interruption(RsaStop stop) {
+  return stop == RsaStop::cancelled || stop == RsaStop::out_of_time;
+}
+
+double radius_of_ball(const Body& body) {
+  if (const auto* sphere = std::get_if<Sphere>(&body)) return sphere->radius;
+  if (const auto* disk = std::get_if<Disk>(&body)) return disk->radius;
+  return 0.0;
+}
+
+// Many equal spheres or disks, not so few to the cell that a grid of their size would be a waste:
+// these have a faster way of their own.
+bool are_many_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bodies) {
+  constexpr double sparsest = 0.02;  // Volume fraction.
+  if (bodies.size() <= rsa::kMostSearchedOneByOne) return false;
+  const Body& first = bodies.front().body;
+  if (radius_of_ball(first) == 0.0) return false;
+  if (static_cast<double>(bodies.size()) * volume(first) < sparsest * volume(cell)) return false;
+  return std::all_of(bodies.begin(), bodies.end(),
+                     [&](const OrderedBody& ordered) { return ordered.body == first; });
+}
+
+RsaResult pack_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                           const std::vector<std::int64_t>& sequence, const RsaOptions& options,
+                           const RunContext& run) {
+  const Body& ball = bodies.front().body;
+  rsa::EqualBallsOrder order{.cell = cell,
+                             .radius = radius_of_ball(ball),
+                             .min_gap = options.min_gap,
+                             .target = static_cast<std::int64_t>(bodies.size()),
+                             .seed = options.seed};
+  RsaResult result;
+  rsa::EqualBallsRun best;
+  for (;; ++order.start) {
+    rsa::EqualBallsRun balls = rsa::rsa_equal_balls(order, run);
+    const RsaStop stop = balls.stop;
+    result.trials += balls.trials;
+    result.restarts = static_cast<std::int64_t>(order.start);
+    if (order.start == 0 || balls.centers.size() > best.centers.size()) best = std::move(balls);
+    if (is_interruption(stop)) best.stop = stop;
+    if (stop == RsaStop::target_reached || is_interruption(stop) ||
+        result.restarts == options.max_restarts) {
+      break;
+    }
+  }
+  result.stop = best.stop;
+  result.packing.cell = cell;
+  result.packing.inclusions = in_given_order(
+      static_cast<std::int64_t>(best.centers.size()), bodies, sequence, [&](std::int64_t k) {
+        return StandingBody{best.centers[static_cast<std::size_t>(k)], ball};
+      });
+  return result;
 }
 
 }  // namespace
@@ -342,6 +406,9 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
   check_total_volume(cell, bodies);
 
   const std::vector<std::int64_t> sequence = sequence_of(bodies, options);
+  if (are_many_equal_balls(cell, bodies)) {
+    return pack_equal_balls(cell, bodies, sequence, options, run);
+  }
   const auto count = static_cast<std::int64_t>(bodies.size());
   Adsorption adsorption(cell, options, run, count);
   RsaResult result;
@@ -360,11 +427,15 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
                   placed_volume / volume(cell), k + 1, count});
     }
     if (placed_volume > best.volume) {
+      const PlacedBodies& placed = adsorption.placed();
       best = {placed_volume, stop_of(search),
-              in_given_order(adsorption.placed(), bodies, sequence)};
+              in_given_order(placed.size(), bodies, sequence, [&](std::int64_t k) {
+                const auto i = static_cast<std::int32_t>(k);
+                return StandingBody{placed.center(i), placed.body(i)};
+              })};
     }
     result.restarts = start;
-    const bool interrupted = search == Search::cancelled || search == Search::out_of_time;
+    const bool interrupted = is_interruption(stop_of(search));
     if (interrupted) best.stop = stop_of(search);
     if (search == Search::placed || interrupted || start == options.max_restarts) break;
   }

@@ -41,16 +41,20 @@ class RandomStream {
   /// @param item   Which thing, for instance the inclusion.
   /// @param trial  Which attempt at it.
   RandomStream(std::uint64_t seed, StreamId id, std::uint64_t item = 0,
-               std::uint64_t trial = 0) noexcept;
+               std::uint64_t trial = 0) noexcept
+      : counter_{0, item, trial, 0}, key_{seed, static_cast<std::uint64_t>(id)} {}
 
   /// 64 random bits.
-  std::uint64_t bits() noexcept;
+  std::uint64_t bits() noexcept {
+    if (next_ == 4) fill_block();
+    return block_[next_++];
+  }
 
   /// Uniform in [0, 1), a multiple of 2^-53.
-  double uniform() noexcept;
+  double uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
   /// Uniform in [lo, hi).
-  double uniform(double lo, double hi) noexcept;
+  double uniform(double lo, double hi) noexcept { return lo + (hi - lo) * uniform(); }
 
   /// Uniform integer in [0, n), without bias. n >= 1.
   std::uint64_t below(std::uint64_t n) noexcept;
@@ -59,9 +63,11 @@ class RandomStream {
   double normal() noexcept;
 
  private:
+  void fill_block() noexcept;
+
   std::array<std::uint64_t, 4> counter_;
   std::array<std::uint64_t, 2> key_;
-  std::array<std::uint64_t, 4> block_{};
+  std::array<std::uint64_t, 4> block_;  // Filled when it is first asked for.
   unsigned next_ = 4;
 };
 

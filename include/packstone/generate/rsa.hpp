@@ -76,6 +76,9 @@ struct RsaResult {
 /// others are tried and split until the body stands or none is left, which proves that it fits
 /// nowhere. See docs/algorithms/rsa.md.
 ///
+/// More than 150 equal spheres or disks take the way of rsa_saturate(), which is faster and has the
+/// same law; there a start ends with the proof that nothing more fits, and max_trials has no part.
+///
 /// Errors:  throws InvalidArgument, before any work, if an option is out of range or a body cannot
 ///          stand in the cell even alone.
 /// Random:  streams rsa_center, rsa_orientation, rsa_voxel, rsa_order, keyed by options.seed; the

@@ -1,6 +1,7 @@
 #include "generate/rsa/placed_bodies.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -10,10 +11,6 @@
 
 namespace packstone::rsa {
 namespace {
-
-// Up to here a loop over all bodies beats the grid: for equal ellipsoids of aspect 2 at fraction
-// 0.25 the two take the same time near 180 bodies.
-constexpr std::int64_t kMostSearchedOneByOne = 150;
 
 // In the search one by one: covers the rounding of floats, and that of the coarse coordinates
 // relative to the longest edge [-].
@@ -78,17 +75,17 @@ class PlacedBodies::NearPairs {
         quick_verdict(candidate_.outline, placed_.bodies_[body].outline, r, placed_.min_gap_);
     if (seen != Verdict::undecided) return seen == Verdict::separated;
     if (count_ == kCapacity && !settle()) return false;
-    near_[count_++] = {body, r};
+    near_[static_cast<std::size_t>(count_++)] = {body, r.x, r.y, r.z};
     return true;
   }
 
   // Is the candidate apart from all that wait?
   bool settle() {
     for (int k = 0; k < count_; ++k) {
-      const Near& pair = near_[k];
+      const Near& pair = near_[static_cast<std::size_t>(k)];
       cost_ += Cost::kernel;
-      if (overlap(candidate_.body, placed_.bodies_[pair.body].body, pair.r, placed_.min_gap_) !=
-          Verdict::separated) {
+      if (overlap(candidate_.body, placed_.bodies_[pair.body].body, {pair.x, pair.y, pair.z},
+                  placed_.min_gap_) != Verdict::separated) {
         return false;
       }
     }
@@ -100,6 +97,12 @@ class PlacedBodies::NearPairs {
 
  private:
   static constexpr int kCapacity = 32;
+  // A pair that the balls of outlines do not settle. Coordinates one by one, since a Vec3 would be
+  // set to zero for every trial.
+  struct Near {
+    std::int32_t body;
+    double x, y, z;  // From the candidate.
+  };
 
   const PlacedBodies& placed_;
   const Candidate& candidate_;
@@ -135,14 +138,12 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
     grid_.reserve(expected);
     return;
   }
-  for (auto* column : {&x_, &y_, &z_}) column->reserve(count);
-  for (auto* column : {&reach_, &core_}) column->reserve(count);
+  lanes_.reserve((count + 3) / 4);
 }
 
 void PlacedBodies::clear() {
   bodies_.clear();
-  for (auto* column : {&x_, &y_, &z_}) column->clear();
-  for (auto* column : {&reach_, &core_}) column->clear();
+  lanes_.clear();
   if (use_grid_) grid_.clear();
   largest_circum_radius_ = 0.0;
 }
@@ -161,79 +162,108 @@ void PlacedBodies::add(const Candidate& candidate, const Vec3& center) {
   if (use_grid_) {
     grid_.insert(size(), center, packstone::half_extents(candidate.body));
   } else {
-    const GridPoint p = grid_point(center);
-    x_.push_back(p.x);
-    y_.push_back(p.y);
-    z_.push_back(p.z);
-    reach_.push_back(static_cast<float>(candidate.outline.circum_radius));
-    const double longest = std::max({cell_.size.x, cell_.size.y, cell_.size.z});
-    core_.push_back(
-        static_cast<float>(std::max(0.0, candidate.outline.in_radius - kCoarseSlack * longest)));
+    add_lane(candidate.outline, center);
   }
   bodies_.push_back({candidate.body, candidate.outline, center});
   largest_circum_radius_ = std::max(largest_circum_radius_, candidate.outline.circum_radius);
 }
 
+// The slack for the rounding of floats goes into the radii, once and for all.
+void PlacedBodies::add_lane(const Outline& outline, const Vec3& center) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto lane = static_cast<std::size_t>(size() % 4);
+  if (lane == 0) {
+    lanes_.push_back(Lanes{{}, {}, {}, {nan, nan, nan, nan}, {nan, nan, nan, nan}});
+  }
+  const GridPoint p = grid_point(center);
+  Lanes& lanes = lanes_.back();
+  lanes.x[lane] = p.x;
+  lanes.y[lane] = p.y;
+  lanes.z[lane] = p.z;
+  lanes.reach[lane] = static_cast<float>(outline.circum_radius * (1.0 + kFloatSlack));
+  const double coarse = kCoarseSlack * std::max({cell_.size.x, cell_.size.y, cell_.size.z});
+  lanes.core[lane] =
+      static_cast<float>(std::max(0.0, outline.in_radius - coarse) * (1.0 - kFloatSlack));
+}
+
+bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, Nearby& nearby,
+                               std::int64_t& cost) const {
+  if (use_grid_) return true;
+  using Signed = std::int32_t __attribute__((vector_size(16)));
+  const double coarse = kCoarseSlack * std::max({cell_.size.x, cell_.size.y, cell_.size.z});
+  const auto reach =
+      static_cast<float>((outline.circum_radius + min_gap_ + coarse) * (1.0 + kFloatSlack));
+  const auto core = static_cast<float>((outline.in_radius + min_gap_) * (1.0 - kFloatSlack));
+  const GridPoint c = grid_point(center);
+  const auto sx = static_cast<float>(grid_step_[0]), sy = static_cast<float>(grid_step_[1]),
+             sz = static_cast<float>(grid_step_[2]);
+  const auto any = [](const Signed& flags) {
+    const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(flags);
+    return (halves[0] | halves[1]) != 0;
+  };
+  cost += static_cast<std::int64_t>(lanes_.size()) / 2 * Cost::pair;
+  std::int32_t first = 0;
+  for (const Lanes& lanes : lanes_) {
+    // Unsigned differences wrap around as the cell does: these are the nearest images.
+    const Floats dx = sx * __builtin_convertvector(std::bit_cast<Signed>(lanes.x - c.x), Floats);
+    const Floats dy = sy * __builtin_convertvector(std::bit_cast<Signed>(lanes.y - c.y), Floats);
+    const Floats dz = sz * __builtin_convertvector(std::bit_cast<Signed>(lanes.z - c.z), Floats);
+    const Floats distance_sq = dx * dx + dy * dy + dz * dz;
+    const Floats far = lanes.reach + reach;
+    const Floats far_sq = far * far;
+    const Signed within = distance_sq <= far_sq;
+    if (any(within)) {
+      const Floats near_by = lanes.core + core;
+      if (any(distance_sq < near_by * near_by)) return false;
+      const Signed is_near = distance_sq <= kNearPart * far_sq;
+      for (std::int32_t lane = 0; lane < 4; ++lane) {
+        nearby.nearer[static_cast<std::size_t>(nearby.nearer_count)] = first + lane;
+        nearby.nearer_count -= is_near[lane];
+        nearby.farther[static_cast<std::size_t>(nearby.farther_count)] = first + lane;
+        nearby.farther_count -= within[lane] & ~is_near[lane];
+      }
+    }
+    first += 4;
+  }
+  return true;
+}
+
+bool PlacedBodies::ball_leaves_room(double radius, const Vec3& center, const Nearby& nearby,
+                                    std::int64_t& cost) const {
+  cost += nearby.nearer_count * Cost::pair;
+  for (std::int32_t k = 0; k < nearby.nearer_count; ++k) {
+    const Placed& other = bodies_[nearby.nearer[static_cast<std::size_t>(k)]];
+    if (meets_ball(other.outline, nearest_image(center - other.center), radius, min_gap_)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool PlacedBodies::leaves_room_for(const Candidate& candidate, const Vec3& center,
-                                   std::int64_t& cost) const {
+                                   const Nearby& nearby, std::int64_t& cost) const {
+  if (!use_grid_ && nearby.nearer_count + nearby.farther_count == 0) return true;
   NearPairs near(*this, candidate);
-  const bool possible =
-      use_grid_ ? search_grid(candidate, center, near) : search_all(candidate, center, near, cost);
+  const bool possible = use_grid_ ? search_grid(candidate, center, near)
+                                  : search_listed(candidate, center, nearby, near);
   const bool fits = possible && near.settle();
   cost += near.cost();
   return fits;
 }
 
-bool PlacedBodies::search_all(const Candidate& candidate, const Vec3& center, NearPairs& near,
-                              std::int64_t& cost) const {
-  constexpr std::int32_t block = 64;
+bool PlacedBodies::search_listed(const Candidate& candidate, const Vec3& center,
+                                 const Nearby& nearby, NearPairs& near) const {
   const double reach = candidate.outline.circum_radius + min_gap_;
-  const double longest = std::max({cell_.size.x, cell_.size.y, cell_.size.z});
-  const auto float_reach = static_cast<float>(reach + kCoarseSlack * longest);
-  const auto float_core = static_cast<float>(candidate.outline.in_radius + min_gap_);
-  const GridPoint c = grid_point(center);
-  const auto sx = static_cast<float>(grid_step_[0]), sy = static_cast<float>(grid_step_[1]),
-             sz = static_cast<float>(grid_step_[2]);
   const bool one_image_each = reach + largest_circum_radius_ < 0.5 * shortest_period_;
-  const std::int32_t count = size();
-  for (std::int32_t first = 0; first < count; first += block) {
-    const std::int32_t in_block = std::min(block, count - first);
-    float part[block], near_part[block];
-    int inside = 0;
-    for (std::int32_t k = 0; k < in_block; ++k) {
-      // Unsigned differences wrap around as the cell does: these are the nearest images.
-      const float dx = sx * static_cast<float>(static_cast<std::int32_t>(x_[first + k] - c.x));
-      const float dy = sy * static_cast<float>(static_cast<std::int32_t>(y_[first + k] - c.y));
-      const float dz = sz * static_cast<float>(static_cast<std::int32_t>(z_[first + k] - c.z));
-      const float distance_sq = dx * dx + dy * dy + dz * dz;
-      const float far = (float_reach + reach_[first + k]) * (1.0F + kFloatSlack);
-      const float near_by = (float_core + core_[first + k]) * (1.0F - kFloatSlack);
-      inside |= static_cast<int>(distance_sq < near_by * near_by);
-      part[k] = distance_sq - far * far;
-      near_part[k] = distance_sq - kNearPart * far * far;
-    }
-    cost += in_block / 4 * Cost::pair;
-    if (inside != 0) return false;
-    // The nearer ones of those within reach first: they are the likeliest to overlap.
-    std::int32_t nearer[block + 1], farther[block + 1];
-    std::int32_t nearer_count = 0, farther_count = 0;
-    for (std::int32_t k = 0; k < in_block; ++k) {
-      const bool is_near = near_part[k] <= 0.0F;
-      nearer[nearer_count] = first + k;
-      nearer_count += is_near ? 1 : 0;
-      farther[farther_count] = first + k;
-      farther_count += !is_near && part[k] <= 0.0F ? 1 : 0;
-    }
-    const auto look_at = [&](std::int32_t body) {
-      const Vec3 r = nearest_image(bodies_[body].center - center);
-      return near.add(body, r) && (one_image_each || add_farther_images(body, r, reach, near));
-    };
-    for (std::int32_t k = 0; k < nearer_count; ++k) {
-      if (!look_at(nearer[k])) return false;
-    }
-    for (std::int32_t k = 0; k < farther_count; ++k) {
-      if (!look_at(farther[k])) return false;
-    }
+  const auto look_at = [&](std::int32_t body) {
+    const Vec3 r = nearest_image(bodies_[body].center - center);
+    return near.add(body, r) && (one_image_each || add_farther_images(body, r, reach, near));
+  };
+  for (std::int32_t k = 0; k < nearby.nearer_count; ++k) {
+    if (!look_at(nearby.nearer[static_cast<std::size_t>(k)])) return false;
+  }
+  for (std::int32_t k = 0; k < nearby.farther_count; ++k) {
+    if (!look_at(nearby.farther[static_cast<std::size_t>(k)])) return false;
   }
   return true;
 }

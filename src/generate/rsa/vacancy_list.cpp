@@ -381,33 +381,73 @@ std::int64_t VacancyList::add_last_placed() {
   return out.cost;
 }
 
-VacancyList::Pose VacancyList::draw(RandomStream& random, Candidate& turned) const {
-  const auto k = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size())));
-  const PoseCell& cell = cells_[static_cast<std::size_t>(k)];
-  Pose pose{&candidate_, {0, 0, 0}, k};
+// One block of four words does for all that a pose needs, but for Turning::full: the first says
+// which cell; of each other one the upper 42 bits say where in the box, and what the lower 22 bits
+// of them add up to, where in the cell of orientations.
+VacancyList::Pose VacancyList::draw(RandomStream& random) const {
+  constexpr int low_bits = 22;
+  Pose pose;
+  pose.cell = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size())));
+  const PoseCell& cell = cells_[static_cast<std::size_t>(pose.cell)];
+  std::array<std::uint64_t, 3> low{};
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
+    const std::uint64_t word = random.bits();
+    low[axis] = word & ((1u << low_bits) - 1);
+    const double part = static_cast<double>(word >> low_bits) * 0x1p-42;
     const double lo = edge_at(division_, axis, cell.index[axis]);
     const double hi = edge_at(division_, axis, cell.index[axis] + 1);
-    pose.center[axis] = std::min(random.uniform(lo, hi), hi);
+    pose.center[axis] = std::min(lo + (hi - lo) * part, hi);
   }
-  if (turning_ == Turning::full) {
-    turned =
-        Candidate(turned_at_random(candidate_.body, turning_, random), placed_.needs_extents());
-    pose.candidate = &turned;
-  } else if (turning_ != Turning::none) {
-    const double u = random.uniform();
-    const double v = random.uniform();
-    turned = Candidate(division_.orientations.turned(candidate_.body, cell.orientation, u, v),
-                       placed_.needs_extents());
-    pose.candidate = &turned;
-  }
+  pose.u = static_cast<double>(low[0] << 11 | low[2] >> 11) * 0x1p-33;
+  pose.v = static_cast<double>(low[1] << 11 | (low[2] & 0x7ff)) * 0x1p-33;
+  if (turning_ == Turning::in_plane) pose.u = static_cast<double>(low[0] << 22 | low[1]) * 0x1p-44;
+  if (turning_ == Turning::full) pose.rotation = random_rotation(random);
   return pose;
 }
 
+Candidate VacancyList::turned(const Pose& pose) const {
+  if (turning_ == Turning::none) return candidate_;
+  if (turning_ == Turning::full) {
+    Body body = candidate_.body;
+    std::get<Ellipsoid>(body).orientation = pose.rotation;
+    return Candidate(body, placed_.needs_extents());
+  }
+  const std::int32_t orientation = cells_[static_cast<std::size_t>(pose.cell)].orientation;
+  return Candidate(division_.orientations.turned(candidate_.body, orientation, pose.u, pose.v),
+                   placed_.needs_extents());
+}
+
 bool VacancyList::fits(const Pose& pose, std::int64_t& cost) const {
-  const Candidate& candidate = *pose.candidate;
-  const double min_gap = placed_.min_gap();
+  cost += Cost::trial / 2;
+  if (turning_ == Turning::none) return stands_apart(candidate_, pose, cost);
+  if (!ball_fits(pose, cost)) return false;
   cost += Cost::trial;
+  const Candidate candidate = turned(pose);
+  const Cell& cell = placed_.cell();
+  return stands_apart(candidate, pose, cost) &&
+         is_inside(centers_inside_walls(cell, candidate.half_extents), pose.center,
+                   cell.dimension) &&
+         (!may_meet_own_image_ || clears_own_images(cell, candidate, placed_.min_gap()));
+}
+
+// What every turn of the body holds, its inscribed ball, settles many poses.
+bool VacancyList::ball_fits(const Pose& pose, std::int64_t& cost) const {
+  const double ball = candidate_.outline.in_radius, min_gap = placed_.min_gap();
+  const std::span<const std::int32_t> images = neighbors_of(pose.cell);
+  cost += static_cast<std::int64_t>(images.size()) / 2 * Cost::pair;
+  for (const std::int32_t image : images) {
+    const PlacedImage& at = images_[static_cast<std::size_t>(image)];
+    const Outline& other = placed_.outline(at.body);
+    const Vec3 r = pose.center - at.center;
+    const double far = other.circum_radius + ball + min_gap;
+    if (norm_sq(r) < far * far && meets_ball(other, r, ball, min_gap)) return false;
+  }
+  return true;
+}
+
+bool VacancyList::stands_apart(const Candidate& candidate, const Pose& pose,
+                               std::int64_t& cost) const {
+  const double min_gap = placed_.min_gap();
   std::array<std::int32_t, 32> waiting;
   std::size_t waiting_count = 0;
   const auto apart = [&](std::int32_t image) {
@@ -432,11 +472,7 @@ bool VacancyList::fits(const Pose& pose, std::int64_t& cost) const {
   for (std::size_t k = 0; k < waiting_count; ++k) {
     if (!apart(waiting[k])) return false;
   }
-  if (turning_ == Turning::none) return true;
-  const Cell& cell = placed_.cell();
-  return is_inside(centers_inside_walls(cell, candidate.half_extents), pose.center,
-                   cell.dimension) &&
-         (!may_meet_own_image_ || clears_own_images(cell, candidate, min_gap));
+  return true;
 }
 
 }  // namespace packstone::rsa

@@ -11,6 +11,7 @@
 #include "generate/rsa/placed_bodies.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
+#include "packstone/core/quaternion.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/core/run_context.hpp"
 
@@ -54,13 +55,18 @@ class VacancyList {
   /// Takes notice of the body that was placed last. Returns the cost.
   std::int64_t add_last_placed();
 
-  /// A pose drawn uniformly from all cells. `turned` keeps the body where it is redrawn.
+  /// A pose drawn uniformly from all cells, the turn as numbers only: most poses are seen not to
+  /// fit before a body is turned.
   struct Pose {
-    const Candidate* candidate;
     Vec3 center;
     std::int32_t cell;
+    double u, v;          ///< Where in the cell of orientations.
+    Quaternion rotation;  ///< For Turning::full instead.
   };
-  [[nodiscard]] Pose draw(RandomStream& random, Candidate& turned) const;
+  [[nodiscard]] Pose draw(RandomStream& random) const;
+
+  /// The body in that pose.
+  [[nodiscard]] Candidate turned(const Pose& pose) const;
 
   /// Does the body fit there? Adds to `cost`.
   [[nodiscard]] bool fits(const Pose& pose, std::int64_t& cost) const;
@@ -90,6 +96,9 @@ class VacancyList {
                                std::int32_t index) const;
   [[nodiscard]] Box box_of(const Division& division, const PoseCell& cell) const;
   [[nodiscard]] std::span<const std::int32_t> neighbors_of(std::int64_t cell) const;
+  [[nodiscard]] bool ball_fits(const Pose& pose, std::int64_t& cost) const;
+  [[nodiscard]] bool stands_apart(const Candidate& candidate, const Pose& pose,
+                                  std::int64_t& cost) const;
   [[nodiscard]] std::vector<CommonCore> cores_of(const OrientationCells& orientations) const;
   [[nodiscard]] CommonCore make_core(const OrientationCells& orientations, std::int32_t cell) const;
   const CommonCore& core_of(const Division& division, const std::vector<CommonCore>& cores,

@@ -302,6 +302,65 @@ TEST_CASE("rsa_pack proves that no further body fits, and plain attempts agree")
   }
 }
 
+TEST_CASE("rsa_pack places many equal spheres or disks, at the density where they just fit") {
+  struct Case {
+    Cell cell;
+    Body body;
+    double min_gap;
+    RsaOrder order;
+    int count;
+  };
+  const Cell walled{3, {1, 1, 1}, {true, false, true}};
+  for (const Case& c : {Case{Cell{}, Sphere{0.062}, 0.0, RsaOrder::largest_first, 345},
+                        Case{walled, Sphere{0.06}, 0.003, RsaOrder::shuffled, 240},
+                        Case{cell_2d(1.0, 1.5), Disk{0.03}, 0.0, RsaOrder::as_given, 270}}) {
+    std::vector<OrderedBody> bodies;
+    for (int k = 0; k < c.count; ++k) bodies.push_back({c.body, k % 3});
+    RsaOptions options = with_seed(4);
+    options.min_gap = c.min_gap;
+    options.order = c.order;
+    const RsaResult alone = rsa_pack(c.cell, bodies, options);
+    REQUIRE(alone.stop == RsaStop::target_reached);
+    require_valid(alone.packing, c.min_gap);
+    REQUIRE(alone.packing.inclusions.size() == bodies.size());
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      REQUIRE(alone.packing.inclusions[k].group == bodies[k].group);
+      REQUIRE(alone.packing.inclusions[k].body == c.body);
+    }
+    for (const int threads : {2, 3, 8}) {
+      const RsaResult result = rsa_pack(c.cell, bodies, options, RunContext{}.threads(threads));
+      CHECK(scenes::state_hash(result.packing) == scenes::state_hash(alone.packing));
+      CHECK(result.restarts == alone.restarts);
+      CHECK(result.trials == alone.trials);
+    }
+    options.seed = 5;
+    CHECK(scenes::state_hash(rsa_pack(c.cell, bodies, options).packing) !=
+          scenes::state_hash(alone.packing));
+  }
+}
+
+TEST_CASE("rsa_pack keeps the fullest start of many equal spheres, and stops when asked to") {
+  const std::vector<OrderedBody> bodies(400, OrderedBody{Sphere{0.067}, 0});  // 0.50 of the cell.
+  RsaOptions options = with_seed(4);
+  options.max_restarts = 0;
+  const RsaResult once = rsa_pack(Cell{}, bodies, options);
+  options.max_restarts = 4;
+  const RsaResult best = rsa_pack(Cell{}, bodies, options);
+  CHECK(once.stop == RsaStop::saturated);
+  CHECK(best.stop == RsaStop::saturated);
+  CHECK(best.restarts == 4);
+  CHECK(best.trials > once.trials);
+  CHECK(best.packing.inclusions.size() > once.packing.inclusions.size());
+  CHECK(best.packing.inclusions.size() < 330);
+  require_valid(best.packing);
+  CHECK(count_fitting(best.packing, bodies.front().body, false, 8'000) == 0);
+
+  const std::atomic<bool> cancel{true};
+  const RsaResult cancelled = rsa_pack(Cell{}, bodies, options, RunContext{}.cancel_flag(&cancel));
+  CHECK(cancelled.stop == RsaStop::cancelled);
+  CHECK(cancelled.restarts == 0);
+}
+
 TEST_CASE("rsa_pack starts afresh when a body is proven not to fit, and says how often") {
   // 21 spheres at 0.34 of the cell fit in some starts only.
   const double radius = std::cbrt(0.34 * 3.0 / (4.0 * std::numbers::pi * 21));
