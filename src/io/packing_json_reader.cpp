@@ -15,7 +15,7 @@
 namespace packstone {
 namespace {
 
-std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string in_quotes(std::string_view text) { return std::string("'").append(text) + "'"; }
 
 /// Reads one inclusion after the other from parser events, without a tree in between: a million of
 /// them pass here.

@@ -283,10 +283,10 @@ Recipe recipe_from_toml(std::string_view text, const std::string& origin,
   try {
     tree = toml::parse(text, origin);
   } catch (const toml::parse_error& error) {
-    const auto place = error.source().begin;
-    throw InvalidArgument(origin + ":" + std::to_string(place.line) + ": column " +
-                          std::to_string(place.column) +
-                          ": not TOML: " + std::string(error.description()));
+    const auto at = error.source().begin;
+    const std::string place =
+        at.line == 0 ? "" : ":" + std::to_string(at.line) + ": column " + std::to_string(at.column);
+    throw InvalidArgument(origin + place + ": not TOML: " + std::string(error.description()));
   }
   return recipe_from_tree(tree, origin, overrides);
 }

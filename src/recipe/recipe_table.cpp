@@ -89,7 +89,7 @@ void Complaints::add(const toml::node* at, const std::string& text) {
     place = *at->source().path;
     // The name of an override is the whole of its place; a file has lines.
     const auto line = at->source().begin.line;
-    if (place == origin_ && line > 0) place += ":" + std::to_string(line);
+    if (place == origin_ && line > 0) place.append(":").append(std::to_string(line));
   }
   lines_.push_back(place + ": " + text);
 }

@@ -3,9 +3,6 @@
 /// @file
 /// A recipe's TOML seen as entries with names and places, and the complaints about them.
 
-#define TOML_HEADER_ONLY 0
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,6 +10,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "recipe/toml.hpp"
 
 namespace packstone::recipe {
 

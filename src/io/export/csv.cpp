@@ -81,7 +81,8 @@ void write_csv(ByteWriter& out, const Packing& packing, const ExportOptions& opt
     }
     for (std::size_t axis = 0; options.images && axis < static_cast<std::size_t>(dimension);
          ++axis) {
-      line += "," + std::to_string(placement.image[axis]);
+      line += ",";
+      line += std::to_string(placement.image[axis]);
     }
     out.text(line + "\n");
   }

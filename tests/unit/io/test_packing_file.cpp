@@ -196,13 +196,13 @@ TEST_CASE("what a file could not give back is not written") {
     CHECK_THROWS_WITH(packing_to_json(packing), Catch::Contains(message));
   };
   refused([](Packing& p) { p.groups[1] = p.groups[0]; }, "groups[1] = 'first' stands twice");
-  refused([](Packing& p) { p.groups[0] = "\xff"; }, "groups[0] is not UTF-8");
+  refused([](Packing& p) { p.groups[0] = std::string("\xff"); }, "groups[0] is not UTF-8");
   refused([](Packing& p) { p.groups[0].push_back('\0'); }, "groups[0] holds a zero byte");
   refused([](Packing& p) { p.inclusions[2].group = 9; }, "inclusion 2: group 9");
   refused([](Packing& p) { p.certificate->smallest_gap = NAN; }, "certificate.smallest_gap");
   refused([](Packing& p) { p.certificate->smallest_gap = -INFINITY; }, "certificate.smallest_gap");
   refused([](Packing& p) { p.certificate->fraction = INFINITY; }, "certificate.fraction");
-  refused([](Packing& p) { p.provenance->recipe_json = "{"; }, "provenance.recipe");
+  refused([](Packing& p) { p.provenance->recipe_json = std::string("{"); }, "provenance.recipe");
   refused([](Packing& p) { p.provenance->recipe_json = "[1]"; }, "provenance.recipe");
   refused([](Packing& p) { p.provenance->seconds = NAN; }, "provenance.seconds");
 }
