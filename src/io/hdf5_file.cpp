@@ -88,6 +88,9 @@ std::vector<std::string> member_names(hid_t group, const std::string& path) {
 
 Hdf5Session::Hdf5Session() {
   while (library_in_use.test_and_set()) library_in_use.wait(true);
+  // The library would tidy up when the program ends, and where it has met a damaged file it then
+  // complains without end or crashes. What is opened here is closed here.
+  H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &print_, &print_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

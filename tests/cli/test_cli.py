@@ -346,6 +346,11 @@ class Checking(Case):
             self.assertIn(name, done.stderr)
             self.assertEqual(done.stdout, "")
 
+    def test_a_damaged_hdf5_file_is_refused_in_one_line(self):
+        damaged = pathlib.Path(__file__).parents[1] / "fuzz/corpus/packing_hdf5/found_huge_header.h5"
+        done = self.run_program("check", damaged, code=2)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+
     def test_a_witness_is_written_beside_the_verdict(self):
         self.pack_fibers()
         self.run_program("check", "fibers.json", "--witness", "w.csv")
