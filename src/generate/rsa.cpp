@@ -12,6 +12,7 @@
 #include "generate/rsa/placed_bodies.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
+#include "generate/rsa/trial_numbers.hpp"
 #include "generate/rsa/trials.hpp"
 #include "generate/rsa/vacancy_list.hpp"
 #include "packstone/core/error.hpp"
@@ -24,6 +25,7 @@ namespace {
 using rsa::Candidate;
 using rsa::Cost;
 using rsa::PlacedBodies;
+using rsa::TrialNumbers;
 using rsa::Turning;
 using rsa::VacancyList;
 
@@ -164,13 +166,12 @@ class Adsorption {
   [[nodiscard]] std::int64_t trials() const { return trials_; }
 
  private:
-  // Trial k of a plain search: a center anywhere, an orientation of any kind.
-  Vec3 draw_center(const rsa::CenterBox& box, std::int64_t item, std::int64_t k) const {
-    RandomStream random(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item),
-                        static_cast<std::uint64_t>(k));
+  // A center anywhere.
+  Vec3 draw_center(const rsa::CenterBox& box, TrialNumbers::Row numbers) const {
     Vec3 center{0, 0, 0};
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell_.dimension); ++axis) {
-      center[axis] = std::min(random.uniform(box.lo[axis], box.hi[axis]), box.hi[axis]);
+      const double length = box.hi[axis] - box.lo[axis];
+      center[axis] = std::min(box.lo[axis] + length * numbers.uniform(), box.hi[axis]);
     }
     return wrapped(cell_, center);
   }
@@ -187,9 +188,10 @@ class Adsorption {
     const double r = candidate_.outline.in_radius;
     const auto box =
         rsa::centers_inside_walls(cell_, turns ? Vec3{r, r, r} : candidate_.half_extents);
+    const TrialNumbers numbers(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item));
     const auto trial = [&](std::int64_t k, std::int64_t& cost) {
       cost += Cost::trial;
-      const Vec3 center = draw_center(box, item, k);
+      const Vec3 center = draw_center(box, numbers.trial(k));
       PlacedBodies::Nearby nearby;
       if (!placed_.look_around(candidate_.outline, center, nearby, cost)) return false;
       if (!turns) return placed_.leaves_room_for(candidate_, center, nearby, cost);
@@ -205,17 +207,14 @@ class Adsorption {
     const rsa::TrialRun outcome =
         rsa::run_trials(0, options_.max_trials, plain_budget(turning), run_, trial);
     return conclude(outcome, [&](std::int64_t k) {
-      const Vec3 center = draw_center(box, item, k);
+      const Vec3 center = draw_center(box, numbers.trial(k));
       placed_.add(turns ? draw_turned(turning, item, k) : candidate_, center);
     });
   }
 
   Search try_vacancies(std::int64_t item) {
-    const auto draw = [&](std::int64_t k) {
-      RandomStream random(key_, StreamId::rsa_voxel, static_cast<std::uint64_t>(item),
-                          static_cast<std::uint64_t>(k));
-      return list_->draw(random);
-    };
+    const TrialNumbers numbers(key_, StreamId::rsa_voxel, static_cast<std::uint64_t>(item));
+    const auto draw = [&](std::int64_t k) { return list_->draw(numbers.trial(k)); };
     const auto trial = [&](std::int64_t k, std::int64_t& cost) {
       return list_->fits(draw(k), cost);
     };

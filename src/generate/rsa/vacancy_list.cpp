@@ -45,7 +45,7 @@ VacancyList::VacancyList(const PlacedBodies& placed, const Candidate& candidate,
                                              Candidate(Sphere{candidate.outline.circum_radius}),
                                              placed.min_gap())),
       dimension_(static_cast<std::size_t>(placed.cell().dimension)),
-      division_{{1, 1, 1}, OrientationCells(turning)} {
+      division_{{1, 1, 1}, {1.0, 1.0, 1.0}, OrientationCells(turning)} {
   const double r = candidate.outline.in_radius;
   const Vec3 extents = turning == Turning::none ? candidate.half_extents : Vec3{r, r, r};
   domain_ = centers_inside_walls(placed.cell(), extents);
@@ -80,7 +80,7 @@ std::int64_t VacancyList::expected_split_cost() const {
 
 double VacancyList::edge_at(const Division& division, std::size_t axis, std::int32_t index) const {
   // The same expression for both neighbors of a face, so that no point is lost between them.
-  const double part = static_cast<double>(index) / division.counts[axis];
+  const double part = static_cast<double>(index) * division.per_count[axis];
   return domain_.lo[axis] + (domain_.hi[axis] - domain_.lo[axis]) * part;
 }
 
@@ -144,7 +144,9 @@ std::int64_t VacancyList::split(const RunContext& run) {
     const Vec3 half = box_of(division_, {{0, 0, 0}, 0}).half;
     const double longest = std::max({half.x, half.y, half.z});
     for (std::size_t axis = 0; axis < dimension_; ++axis) {
-      if (half[axis] > 0.6 * longest) finer.counts[axis] *= 2;
+      if (half[axis] <= 0.6 * longest) continue;
+      finer.counts[axis] *= 2;
+      finer.per_count[axis] *= 0.5;
     }
   }
   const bool turned = finer.orientations.count() != division_.orientations.count();
@@ -381,17 +383,17 @@ std::int64_t VacancyList::add_last_placed() {
   return out.cost;
 }
 
-// One block of four words does for all that a pose needs, but for Turning::full: the first says
-// which cell; of each other one the upper 42 bits say where in the box, and what the lower 22 bits
-// of them add up to, where in the cell of orientations.
-VacancyList::Pose VacancyList::draw(RandomStream& random) const {
+// Four words do for all that a pose needs, but for Turning::full: the first says which cell; of
+// each other one the upper 42 bits say where in the box, and what the lower 22 bits of them add up
+// to, where in the cell of orientations.
+VacancyList::Pose VacancyList::draw(TrialNumbers::Row numbers) const {
   constexpr int low_bits = 22;
   Pose pose;
-  pose.cell = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size())));
+  pose.cell = static_cast<std::int32_t>(numbers.below(static_cast<std::uint64_t>(size())));
   const PoseCell& cell = cells_[static_cast<std::size_t>(pose.cell)];
   std::array<std::uint64_t, 3> low{};
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
-    const std::uint64_t word = random.bits();
+    const std::uint64_t word = numbers.bits();
     low[axis] = word & ((1u << low_bits) - 1);
     const double part = static_cast<double>(word >> low_bits) * 0x1p-42;
     const double lo = edge_at(division_, axis, cell.index[axis]);
@@ -401,7 +403,10 @@ VacancyList::Pose VacancyList::draw(RandomStream& random) const {
   pose.u = static_cast<double>(low[0] << 11 | low[2] >> 11) * 0x1p-33;
   pose.v = static_cast<double>(low[1] << 11 | (low[2] & 0x7ff)) * 0x1p-33;
   if (turning_ == Turning::in_plane) pose.u = static_cast<double>(low[0] << 22 | low[1]) * 0x1p-44;
-  if (turning_ == Turning::full) pose.rotation = random_rotation(random);
+  if (turning_ == Turning::full) {
+    RandomStream random(numbers.bits(), StreamId::rsa_voxel);
+    pose.rotation = random_rotation(random);
+  }
   return pose;
 }
 

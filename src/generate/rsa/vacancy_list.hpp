@@ -11,8 +11,8 @@
 #include "generate/rsa/placed_bodies.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
+#include "generate/rsa/trial_numbers.hpp"
 #include "packstone/core/quaternion.hpp"
-#include "packstone/core/random.hpp"
 #include "packstone/core/run_context.hpp"
 
 namespace packstone::rsa {
@@ -63,7 +63,7 @@ class VacancyList {
     double u, v;          ///< Where in the cell of orientations.
     Quaternion rotation;  ///< For Turning::full instead.
   };
-  [[nodiscard]] Pose draw(RandomStream& random) const;
+  [[nodiscard]] Pose draw(TrialNumbers::Row numbers) const;
 
   /// The body in that pose.
   [[nodiscard]] Candidate turned(const Pose& pose) const;
@@ -88,7 +88,8 @@ class VacancyList {
     std::int64_t cost = 0;
   };
   struct Division {
-    std::array<std::int32_t, 3> counts{1, 1, 1};
+    std::array<std::int32_t, 3> counts{1, 1, 1};     // Powers of two.
+    std::array<double, 3> per_count{1.0, 1.0, 1.0};  // 1 / counts, exact.
     OrientationCells orientations;
   };
 

@@ -223,10 +223,9 @@ TEST_CASE("a list of vacancies never loses a pose that fits") {
     rsa::VacancyList list(placed, candidate, turning);
     for (int level = 0; level < 6; ++level) {
       int fitting = 0;
+      const rsa::TrialNumbers numbers(9, StreamId::test, static_cast<std::uint64_t>(level));
       for (int k = 0; k < attempts / 4; ++k) {
-        RandomStream random(9, StreamId::test, static_cast<std::uint64_t>(k),
-                            static_cast<std::uint64_t>(level));
-        const auto pose = list.draw(random);
+        const auto pose = list.draw(numbers.trial(k));
         const bool fits = list.fits(pose, cost);
         // Neighbors of the cell decide as all bodies do.
         REQUIRE(fits ==
