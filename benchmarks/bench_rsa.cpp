@@ -1,7 +1,10 @@
-// Random sequential adsorption: the tables of Salnikov et al., and large numbers of ellipsoids.
+// Random sequential adsorption: the tables of Salnikov et al., large numbers of ellipsoids, and of
+// equal spheres.
 //
 //   bench_rsa tables [fixed|redraw] [runs] [count_each] [limit_s]
+//   bench_rsa blanks [fixed|redraw] [runs] [count_each] [limit_s]
 //   bench_rsa scaling [largest count]
+//   bench_rsa spheres [count]
 //
 // Times are processor times of the call of rsa_pack alone.
 
@@ -10,8 +13,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -55,6 +60,19 @@ Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& optio
           scenes::state_hash(result.packing)};
 }
 
+// Short runs are repeated, since what else runs on the machine would be measured with them: the
+// median of five.
+Outcome run_often(const std::vector<OrderedBody>& bodies, const RsaOptions& options,
+                  double limit_s) {
+  constexpr double short_run_s = 0.005;
+  Outcome outcome = run_once(bodies, options, limit_s);
+  if (outcome.seconds > short_run_s) return outcome;
+  std::vector<double> seconds{outcome.seconds};
+  while (seconds.size() < 5) seconds.push_back(run_once(bodies, options, limit_s).seconds);
+  outcome.seconds = median(seconds);
+  return outcome;
+}
+
 struct Mode {
   bool redraw;
   int runs;
@@ -74,7 +92,7 @@ void run_cell(int n, double fs, double fc, double aspect, double printed, const 
     options.seed = key;
     if (mode.redraw) options.redraw_orientation = {true, false};
     const auto bodies = scenes::cylinders_and_spheres(n, fs, fc, aspect, key);
-    const Outcome outcome = run_once(bodies, options, mode.limit_s);
+    const Outcome outcome = run_often(bodies, options, mode.limit_s);
     seconds.push_back(outcome.seconds);
     restarts.push_back(outcome.restarts);
     reached += outcome.reached ? 1 : 0;
@@ -152,12 +170,32 @@ void run_scaling(std::int64_t largest) {
   }
 }
 
+void run_spheres(std::int64_t count) {
+  const double radius = std::cbrt(0.30 * 3.0 / (4.0 * std::numbers::pi * count));
+  const std::vector<OrderedBody> bodies(static_cast<std::size_t>(count),
+                                        OrderedBody{Sphere{radius}, 0});
+  std::vector<double> seconds;
+  Outcome outcome;
+  for (int k = 0; k < 5; ++k) {
+    RsaOptions options;
+    options.seed = 1;
+    outcome = run_once(bodies, options, 600.0);
+    seconds.push_back(outcome.seconds);
+  }
+  fmt::print("{} equal spheres, fraction 0.30: {:.4f} s, median of 5; restarts {}; {:016x}\n",
+             count, median(seconds), outcome.restarts, outcome.hash);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "tables";
   if (what == "scaling") {
     run_scaling(argc > 2 ? std::atoll(argv[2]) : 100'000);
+    return 0;
+  }
+  if (what == "spheres") {
+    run_spheres(argc > 2 ? std::atoll(argv[2]) : 100'000);
     return 0;
   }
   Mode mode{argc > 2 && std::string(argv[2]) == "redraw", argc > 3 ? std::atoi(argv[3]) : 7,

@@ -201,29 +201,38 @@ bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, Nearb
     const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(flags);
     return (halves[0] | halves[1]) != 0;
   };
-  cost += static_cast<std::int64_t>(lanes_.size()) / 2 * Cost::pair;
-  std::int32_t first = 0;
-  for (const Lanes& lanes : lanes_) {
+  // Most trials end with a body that covers the center, so this alone is looked for first, from
+  // the end where the stouter bodies stand.
+  constexpr std::size_t capacity = (kMostSearchedOneByOne + 3) / 4;
+  Floats distance_sq[capacity];
+  const std::size_t count = lanes_.size();
+  const bool backwards = count > 0 && lanes_.back().core[0] > lanes_.front().core[0];
+  cost += static_cast<std::int64_t>(count) / 2 * Cost::pair;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t group = backwards ? count - 1 - k : k;
+    const Lanes& lanes = lanes_[group];
     // Unsigned differences wrap around as the cell does: these are the nearest images.
     const Floats dx = sx * __builtin_convertvector(std::bit_cast<Signed>(lanes.x - c.x), Floats);
     const Floats dy = sy * __builtin_convertvector(std::bit_cast<Signed>(lanes.y - c.y), Floats);
     const Floats dz = sz * __builtin_convertvector(std::bit_cast<Signed>(lanes.z - c.z), Floats);
-    const Floats distance_sq = dx * dx + dy * dy + dz * dz;
-    const Floats far = lanes.reach + reach;
+    const Floats sum = dx * dx + dy * dy + dz * dz;
+    const Floats near_by = lanes.core + core;
+    if (any(sum < near_by * near_by)) return false;
+    distance_sq[group] = sum;
+  }
+  for (std::size_t group = 0; group < count; ++group) {
+    const Floats far = lanes_[group].reach + reach;
     const Floats far_sq = far * far;
-    const Signed within = distance_sq <= far_sq;
-    if (any(within)) {
-      const Floats near_by = lanes.core + core;
-      if (any(distance_sq < near_by * near_by)) return false;
-      const Signed is_near = distance_sq <= kNearPart * far_sq;
-      for (std::int32_t lane = 0; lane < 4; ++lane) {
-        nearby.nearer[static_cast<std::size_t>(nearby.nearer_count)] = first + lane;
-        nearby.nearer_count -= is_near[lane];
-        nearby.farther[static_cast<std::size_t>(nearby.farther_count)] = first + lane;
-        nearby.farther_count -= within[lane] & ~is_near[lane];
-      }
+    const Signed within = distance_sq[group] <= far_sq;
+    if (!any(within)) continue;
+    const Signed is_near = distance_sq[group] <= kNearPart * far_sq;
+    for (std::int32_t lane = 0; lane < 4; ++lane) {
+      const std::int32_t body = 4 * static_cast<std::int32_t>(group) + lane;
+      nearby.nearer[static_cast<std::size_t>(nearby.nearer_count)] = body;
+      nearby.nearer_count -= is_near[lane];
+      nearby.farther[static_cast<std::size_t>(nearby.farther_count)] = body;
+      nearby.farther_count -= within[lane] & ~is_near[lane];
     }
-    first += 4;
   }
   return true;
 }
