@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -37,6 +38,12 @@ int run_check(const CheckArguments& arguments) {
   return certificate.passed() ? kDone : kHonestNo;
 }
 
+std::string check_gap(const std::string& text) {
+  double gap = 0.0;
+  const bool number = CLI::detail::lexical_cast(text, gap);
+  return number && gap >= 0.0 && std::isfinite(gap) ? "" : text + "; allowed is a number >= 0";
+}
+
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
@@ -47,7 +54,7 @@ void add_check(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--min-gap", arguments->options.min_gap, "Least gap between any two [0]")
       ->type_name("G")
-      ->check(CLI::Range(0.0, 1e300).description(""));
+      ->check(CLI::Validator(check_gap, ""));
   command
       ->add_option("--witness", arguments->witness, "Write one separating direction per near pair")
       ->type_name("FILE");

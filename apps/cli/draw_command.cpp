@@ -14,21 +14,28 @@ struct DrawArguments {
   std::string packing;
   std::string output;
   DrawOptions options;
+  std::string color = "group";
   int threads = 0;
 };
 
-void add_look(CLI::App& command, DrawOptions& options) {
-  const std::map<std::string, ColorBy> colors{
-      {"group", ColorBy::group}, {"size", ColorBy::size}, {"orientation", ColorBy::orientation}};
-  command.add_option("--color-by", options.color_by, "group [default], size or orientation")
-      ->transform(CLI::CheckedTransformer(colors).description(""))
+const std::map<std::string, ColorBy> kColors{
+    {"group", ColorBy::group}, {"size", ColorBy::size}, {"orientation", ColorBy::orientation}};
+
+std::string check_color(const std::string& word) {
+  return kColors.count(word) != 0 ? "" : word + "; allowed is group, size or orientation";
+}
+
+void add_look(CLI::App& command, DrawOptions& options, std::string& color) {
+  command.add_option("--color-by", color, "group [default], size or orientation")
+      ->check(CLI::Validator(check_color, ""))
       ->type_name("WHAT");
   command.add_flag("--cut", options.cut, "Cut bodies at the faces of the cell");
   command.add_option("--azimuth", options.azimuth, "Turn of the camera about z [35]")
-      ->type_name("DEGREES");
+      ->type_name("DEGREES")
+      ->check(CLI::Range(-360.0, 360.0).description(""));
   command.add_option("--elevation", options.elevation, "Its height above the horizon [25]")
       ->type_name("DEGREES")
-      ->check(CLI::Range(-90.0, 90.0).description(""));
+      ->check(CLI::Range(-89.0, 89.0).description(""));
   command.add_option("--samples", options.samples, "Rays per pixel = N x N, 1 to 32 [4]")
       ->type_name("N")
       ->check(CLI::Range(1, 32).description(""));
@@ -51,13 +58,14 @@ void add_draw(CLI::App& app, int& exit_code) {
   command->add_option("--height", arguments->options.height, "Pixels, 16 to 16384 [1000]")
       ->type_name("N")
       ->check(CLI::Range(16, 16384).description(""));
-  add_look(*command, arguments->options);
+  add_look(*command, arguments->options, arguments->color);
   command->add_option("--threads", arguments->threads, "Threads [all]")
       ->type_name("N")
       ->check(CLI::Range(0, 4096).description(""));
   command->footer("Example: packstone draw fibers.json -o fibers.png --color-by orientation");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".png", ".svg"});
+    arguments->options.color_by = kColors.at(arguments->color);
     draw_packing(arguments->output, read_packing(arguments->packing), arguments->options,
                  RunContext{}.threads(arguments->threads));
     exit_code = kDone;

@@ -1,8 +1,10 @@
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "commands.hpp"
 #include "output_file.hpp"
+#include "packstone/core/error.hpp"
 #include "packstone/io/export_packing.hpp"
 #include "packstone/io/packing_file.hpp"
 
@@ -35,7 +37,13 @@ void add_export(CLI::App& app, int& exit_code) {
   command->footer("Example: packstone export fibers.json -o fibers.vtu");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".vtu", ".stl", ".csv"});
-    export_packing(arguments->output, read_packing(arguments->packing), arguments->options);
+    const Packing packing = read_packing(arguments->packing);
+    if (packing.cell.dimension == 2 &&
+        std::filesystem::path(arguments->output).extension() == ".stl") {
+      throw InvalidArgument("-o " + arguments->output + ": STL holds 3D surfaces, and " +
+                            arguments->packing + " is a packing in the plane; write .vtu or .csv");
+    }
+    export_packing(arguments->output, packing, arguments->options);
     exit_code = kDone;
   });
 }

@@ -1,13 +1,17 @@
 // packstone: random microstructures from the command line. Parses, calls, prints.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "commands.hpp"
 #include "libraries.hpp"
 #include "packstone/core/error.hpp"
+#include "recipe/nearest_key.hpp"
 
 namespace {
 
@@ -18,6 +22,44 @@ constexpr std::size_t kHelpColumn = 27;
 
 void complain(const std::exception& error) {
   std::fprintf(stderr, "packstone: %s\n", error.what());
+}
+
+const std::vector<std::string_view>& command_names() {
+  static const std::vector<std::string_view> names{"new", "pack", "check", "draw", "export"};
+  return names;
+}
+
+std::string near_word(const std::string& word, const std::vector<std::string_view>& known) {
+  const auto near = recipe::nearest_key(word, known);
+  return near ? "; did you mean " + std::string(*near) + "?" : "";
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// What is wrong with the words of the command line, with advice.
+std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, int argc,
+                          char** argv) {
+  if (app.get_subcommands().empty()) {
+    if (argc < 2) return "a command is missing; commands: new, pack, check, draw, export";
+    return std::string(argv[1]) + " is no command" + near_word(argv[1], command_names()) +
+           "\n  commands: new, pack, check, draw, export";
+  }
+  const CLI::App& command = *app.get_subcommands().front();
+  const std::vector<std::string> names = option_names(command);
+  for (int i = 2; i < argc && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("--")) continue;
+    if (std::find(names.begin(), names.end(), word) != names.end()) continue;
+    return word + " is no option of " + command.get_name() +
+           near_word(word, {names.begin(), names.end()});
+  }
+  return error.what();
 }
 
 int run(int argc, char** argv) {
@@ -42,7 +84,12 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::kDone : cli::kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    const auto chosen = app.get_subcommands();
+    std::fprintf(stderr, "packstone: %s\n  see packstone%s%s --help\n",
+                 usage_problem(app, error, argc, argv).c_str(), chosen.empty() ? "" : " ",
+                 chosen.empty() ? "" : chosen.front()->get_name().c_str());
+    return cli::kBadInput;
   }
   return exit_code;
 }

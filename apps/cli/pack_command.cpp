@@ -75,6 +75,9 @@ void print_outcome(const PackOutcome& outcome, const PackArguments& arguments,
 }
 
 int run_pack(const PackArguments& arguments) {
+  if (std::filesystem::is_directory(arguments.recipe)) {
+    throw FileError("cannot read " + arguments.recipe + ": it is a folder, not a recipe");
+  }
   const std::filesystem::path output = output_of(arguments);
   check_output_file(output, {".json", ".h5"});
   const Recipe recipe = recipe_of(arguments);
@@ -100,7 +103,9 @@ int run_pack(const PackArguments& arguments) {
 }
 
 std::string check_time(const std::string& text) {
-  return seconds_in(text) ? "" : "allowed is a time > 0 such as \"30 s\", \"10 min\", \"1.5 h\"";
+  return seconds_in(text)
+             ? ""
+             : text + "; allowed is a time > 0 such as \"30 s\", \"10 min\", \"1.5 h\"";
 }
 
 }  // namespace

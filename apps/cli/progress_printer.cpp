@@ -14,8 +14,10 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr auto kFirstLogLine = std::chrono::seconds(2);  // short work stays silent
 constexpr auto kLogPause = std::chrono::seconds(5);
-constexpr auto kRateWindow = std::chrono::seconds(10);  // smooth, and soon true again
-constexpr double kShortestWindow = 0.5;                 // [s] before a rate is told
+// The rate is that of the latter half of the work so far, as it falls when the cell fills; over at
+// most this.
+constexpr auto kRateWindow = std::chrono::seconds(10);
+constexpr double kShortestWindow = 0.5;  // [s] before a rate is told
 
 std::size_t terminal_width() {
   winsize size{};
@@ -45,8 +47,10 @@ void ProgressPrinter::remember(const Progress& progress, Clock::time_point now) 
   const bool anew = !recent_.empty() && (progress.placed < recent_.back().placed ||
                                          progress.done < recent_.back().done);
   if (anew) recent_.clear();
+  if (recent_.empty()) start_ = now;
   recent_.push_back({now, progress.done, progress.placed});
-  while (recent_.size() > 2 && now - recent_.front().when > kRateWindow) recent_.pop_front();
+  const auto window = std::min<Clock::duration>(kRateWindow, (now - start_) / 2);
+  while (recent_.size() > 2 && now - recent_[1].when > window) recent_.pop_front();
 }
 
 std::string ProgressPrinter::line(const Progress& progress, Clock::time_point now) {

@@ -37,6 +37,7 @@ class ProgressPrinter {
   bool terminal_;
   bool dirty_ = false;  // a line stands on the terminal
   Clock::time_point next_;
+  Clock::time_point start_;    // of this stage
   std::deque<Sample> recent_;  // what the rate is taken from
 };
 

@@ -103,7 +103,8 @@ std::optional<std::size_t> index_of_group(const toml::array& groups, const std::
 
 /// The child that `step` names; a table is made where a key is absent. Nothing, and a reason in
 /// `problem`, where there is no such child.
-toml::node* child(toml::node& parent, const Step& step, std::string& problem) {
+toml::node* child(toml::node& parent, const Step& step, const std::string& origin,
+                  std::string& problem) {
   if (toml::array* const array = parent.as_array()) {
     std::optional<std::size_t> index;
     if (const auto* const name = std::get_if<std::string>(&step)) {
@@ -126,12 +127,15 @@ toml::node* child(toml::node& parent, const Step& step, std::string& problem) {
                              : "\"" + *key + "\" stands where there is no table";
     return nullptr;
   }
-  if (!table->contains(*key)) table->insert(*key, toml::table{});
+  if (!table->contains(*key)) {
+    toml::table made = toml::parse("v = {}", origin);  // knows where it came from
+    table->insert(*key, std::move(*made["v"].as_table()));
+  }
   return table->get(*key);
 }
 
 /// Puts the only value of `value` where `place` says. False, and a reason, where that is nowhere.
-bool put(const Place& place, toml::table&& value, std::string& problem) {
+bool put(const Place& place, toml::table&& value, const std::string& origin, std::string& problem) {
   toml::table* const table = place.parent->as_table();
   const auto* const key = std::get_if<std::string>(&place.step);
   if (table != nullptr && key != nullptr) {
@@ -139,7 +143,7 @@ bool put(const Place& place, toml::table&& value, std::string& problem) {
     value.get("v")->visit([&](auto& node) { table->insert_or_assign(*key, std::move(node)); });
     return true;
   }
-  if (child(*place.parent, place.step, problem) == nullptr) return false;
+  if (child(*place.parent, place.step, origin, problem) == nullptr) return false;
   toml::array& array = *place.parent->as_array();
   if (key != nullptr) {
     problem = "a group is changed key by key: inclusions." + *key + ".count = ...";
@@ -151,10 +155,10 @@ bool put(const Place& place, toml::table&& value, std::string& problem) {
 }
 
 std::optional<Place> place_of(toml::table& root, const std::vector<Step>& steps,
-                              std::string& problem) {
+                              const std::string& origin, std::string& problem) {
   toml::node* parent = &root;
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    parent = child(*parent, steps[i], problem);
+    parent = child(*parent, steps[i], origin, problem);
     if (parent == nullptr) return std::nullopt;
   }
   return Place{parent, steps.back()};
@@ -176,8 +180,8 @@ void apply_override(toml::table& root, const std::string& text, Complaints& comp
   std::string problem;
   auto value = parsed_value(trimmed(text.substr(equals + 1)), origin, problem);
   if (!value) return refuse("the value is not TOML: " + problem);
-  const auto place = place_of(root, steps, problem);
-  if (!place || !put(*place, std::move(*value), problem)) refuse(problem);
+  const auto place = place_of(root, steps, origin, problem);
+  if (!place || !put(*place, std::move(*value), origin, problem)) refuse(problem);
 }
 
 }  // namespace packstone::recipe

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/core/version.hpp"
 #include "packstone/geometry/measures.hpp"
@@ -44,6 +45,10 @@ double common_radius(const std::vector<OrderedBody>& bodies) {
   return greatest - least <= 1e-12 * greatest ? least : 0.0;
 }
 
+std::string gap_words(double min_gap) {
+  return min_gap > 0.0 ? " with their gaps (packing.min_gap = " + number_text(min_gap) + ")" : "";
+}
+
 // Steiner's formula without the term of the mean curvature, which is positive: a convex body grown
 // by t has at least volume V + S t + 4/3 pi t^3, in the plane area A + P t + pi t^2 (there
 // exactly).
@@ -59,7 +64,7 @@ void refuse_too_little_room(const Recipe& recipe, const std::vector<OrderedBody>
   const double part = needed / room(recipe.cell, recipe.min_gap);
   if (part <= 1.0 + 1e-12) return;
   throw InvalidArgument(
-      "the bodies with their gaps need " + std::to_string(part) +
+      "the bodies" + gap_words(recipe.min_gap) + " need " + number_text(part) +
       " of the room in the cell; allowed is a sum of fractions and packing.min_gap "
       "that needs at most 1");
 }
@@ -75,8 +80,8 @@ void refuse_beyond_densest(const Recipe& recipe, const std::vector<OrderedBody>&
   const double densest = std::numbers::pi / std::sqrt(plane ? 12.0 : 18.0);
   if (part <= densest * (1.0 + 1e-12)) return;
   throw InvalidArgument(std::string("equal ") + (plane ? "disks" : "spheres") +
-                        " with their gaps would fill " + std::to_string(part) +
-                        " of the cell; allowed is at most " + std::to_string(densest) +
+                        gap_words(recipe.min_gap) + " would fill " + number_text(part) +
+                        " of the cell; allowed is at most " + number_text(densest) +
                         ", the densest packing there is");
 }
 
@@ -265,15 +270,29 @@ void check_recipe(const Recipe& recipe) {
   }
 }
 
+// What `step` returns; its complaints name the file of the recipe.
+template <class Step>
+auto for_recipe(const Recipe& recipe, Step step) {
+  try {
+    return step();
+  } catch (const InvalidArgument& problem) {
+    if (recipe.origin.empty()) throw;
+    throw InvalidArgument(recipe.origin + ": " + problem.what());
+  }
+}
+
 }  // namespace
 
 PackOutcome pack(const Recipe& recipe, RunContext run) {
   check_recipe(recipe);
   run = within_time(recipe, run);
   const std::clock_t start = std::clock();
-  const InclusionMix mix = draw_inclusions(recipe.cell, recipe.groups, recipe.seed);
-  refuse_impossible(recipe, mix.bodies);
-  RsaResult result = run_rsa(recipe, mix, run);
+  const InclusionMix mix = for_recipe(recipe, [&] {
+    InclusionMix drawn = draw_inclusions(recipe.cell, recipe.groups, recipe.seed);
+    refuse_impossible(recipe, drawn.bodies);
+    return drawn;
+  });
+  RsaResult result = for_recipe(recipe, [&] { return run_rsa(recipe, mix, run); });
 
   PackOutcome outcome;
   outcome.packing = std::move(result.packing);

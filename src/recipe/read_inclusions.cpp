@@ -15,6 +15,10 @@ using Keys = std::vector<std::string_view>;
 const Keys kSizeKeys{"size",        "radius",    "diameter", "length",
                      "half_length", "semi_axes", "volume",   "area"};
 
+constexpr ShapeKind kShapes[] = {ShapeKind::sphere,   ShapeKind::ellipsoid,
+                                 ShapeKind::cylinder, ShapeKind::spherocylinder,
+                                 ShapeKind::disk,     ShapeKind::ellipse};
+
 Keys known_keys() {
   Keys keys{"name", "shape", "count", "fraction", "aspect", "orientation"};
   keys.insert(keys.end(), kSizeKeys.begin(), kSizeKeys.end());
@@ -52,13 +56,21 @@ std::optional<ShapeKind> read_shape(const TableView& table, int dimension_of_cel
                                     Complaints& complaints) {
   std::vector<std::pair<std::string_view, ShapeKind>> choices;
   std::string listed;
-  for (const ShapeKind shape : {ShapeKind::sphere, ShapeKind::ellipsoid, ShapeKind::cylinder,
-                                ShapeKind::spherocylinder, ShapeKind::disk, ShapeKind::ellipse}) {
+  for (const ShapeKind shape : kShapes) {
     if (dimension_of_cell != 0 && dimension(shape) != dimension_of_cell) continue;
     choices.emplace_back(packstone::name(shape), shape);
     listed += (listed.empty() ? "\"" : ", \"") + std::string(packstone::name(shape)) + "\"";
   }
   const Entry entry = table["shape"];
+  const auto word = entry ? entry.node->value_exact<std::string>() : std::nullopt;
+  for (const ShapeKind shape : kShapes) {
+    if (word != packstone::name(shape) || dimension_of_cell == 0) continue;
+    if (dimension(shape) == dimension_of_cell) continue;
+    complaints.not_allowed(entry, "one of " + listed + " in a " +
+                                      std::to_string(dimension_of_cell) +
+                                      "D cell (cell.size has as many numbers)");
+    return std::nullopt;
+  }
   if (entry) return read_choice<ShapeKind>(entry, choices, complaints);
   complaints.missing(&table.node(), joined(table.name(), "shape"), "one of " + listed);
   return std::nullopt;

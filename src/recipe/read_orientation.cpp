@@ -88,7 +88,7 @@ std::optional<OrientationLaw> read_tensor(const TableView& table, int dimension,
   if (!tensor) return std::nullopt;
   law.tensor = *tensor;
   try {
-    check_orientation_law(law, table["tensor"].name, dimension);
+    check_orientation_law(law, table.name(), dimension);
   } catch (const InvalidArgument& error) {
     complaints.add(table["tensor"].node, error.what());
     return std::nullopt;

@@ -251,9 +251,14 @@ nlohmann::json parsed_json(std::string_view text, const std::string& origin) {
 }
 
 std::string text_of(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw FileError("cannot read " + path.string() + ": it is a folder, not a recipe");
+  }
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw FileError("cannot read " + path.string());
+  if (!file) {
+    const bool there = std::filesystem::exists(path);
+    throw FileError("cannot read " + path.string() +
+                    (there ? ": no permission" : ": there is no such file"));
   }
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }

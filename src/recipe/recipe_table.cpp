@@ -148,6 +148,15 @@ std::string shown(const toml::node& node) {
   return text;
 }
 
+std::string hint(const std::string& word, const std::vector<std::string_view>& known) {
+  std::string lower = word;
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  const auto near = nearest_key(lower, known);
+  return near ? "; did you mean \"" + std::string(*near) + "\"?" : "";
+}
+
 std::optional<int> line_of_endless_key(std::string_view text) {
   constexpr int kMaxParts = 1000;
   int parts = 1;
@@ -172,7 +181,11 @@ std::optional<std::int64_t> read_integer(const Entry& entry, std::int64_t least,
                                          Complaints& complaints) {
   const auto value = entry.node->value_exact<std::int64_t>();
   if (value && *value >= least) return value;
-  complaints.not_allowed(entry, "an integer >= " + std::to_string(least));
+  // 10.0 and 1e3 are whole, but not integers of TOML.
+  const auto number = entry.node->value_exact<double>();
+  const bool whole = number && std::floor(*number) == *number;
+  complaints.not_allowed(entry, "an integer >= " + std::to_string(least) +
+                                    (whole ? ", without point or exponent" : ""));
   return std::nullopt;
 }
 

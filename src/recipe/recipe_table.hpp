@@ -92,6 +92,9 @@ class TableView {
 /// one of ",=[]{}" or the end of the line, wherever they stand: strings and notes too.
 [[nodiscard]] std::optional<int> line_of_endless_key(std::string_view text);
 
+/// "; did you mean \"sphere\"?" where a known word is near to `word`, letter case apart; else "".
+[[nodiscard]] std::string hint(const std::string& word, const std::vector<std::string_view>& known);
+
 // Readers of one present entry: the value, or a complaint and nothing.
 [[nodiscard]] std::optional<double> read_number(const Entry& entry, const Range& range,
                                                 Complaints& complaints);
@@ -114,7 +117,10 @@ std::optional<T> read_choice(const Entry& entry,
     if (word == text) return value;
     listed += (listed.empty() ? "\"" : ", \"") + std::string(text) + "\"";
   }
-  complaints.not_allowed(entry, choices.size() == 1 ? listed : "one of " + listed);
+  std::vector<std::string_view> words;
+  for (const auto& [text, value] : choices) words.push_back(text);
+  complaints.not_allowed(entry, (choices.size() == 1 ? listed : "one of " + listed) +
+                                    (word ? hint(*word, words) : ""));
   return std::nullopt;
 }
 

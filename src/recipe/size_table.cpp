@@ -35,9 +35,19 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
+// A line for a message: cut when long, and without what a terminal would act on.
+std::string printable(std::string line) {
+  constexpr std::size_t longest = 60;
+  if (line.size() > longest) line = line.substr(0, longest - 3) + "...";
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return line;
+}
+
 }  // namespace
 
 TableLaw read_size_table(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) throw FileError(path.string() + " is a folder");
   std::ifstream file(path);
   if (!file) throw FileError("cannot read " + path.string());
   TableLaw law;
@@ -53,7 +63,7 @@ TableLaw read_size_table(const std::filesystem::path& path) {
     heading = false;
     if (words) continue;
     if (!value || !weight || *weight < 0.0 || fields.size() > 2) {
-      throw FileError(path.string() + ":" + std::to_string(number) + ": " + line +
+      throw FileError(path.string() + ":" + std::to_string(number) + ": " + printable(line) +
                       "; allowed is \"value, weight\" with weight >= 0");
     }
     law.values.push_back(*value);

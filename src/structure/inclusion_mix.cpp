@@ -192,6 +192,9 @@ void scale_to_volume(std::vector<Body>& bodies, double wanted) {
   for (Body& body : bodies) body = scaled(body, factor);
 }
 
+// Bodies after which their mean volume tells a hopeless order from one that takes long.
+constexpr std::size_t kEnoughForMean = 1000;
+
 // As many bodies as come nearest to the volume `wanted`, drawn until they pass it.
 std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::uint64_t seed,
                                    double wanted) {
@@ -215,6 +218,11 @@ std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::
     }
     // What the mean volume so far makes of the rest, and a little more.
     const double rest = (wanted - sum.value()) / (sum.value() / static_cast<double>(bodies.size()));
+    if (bodies.size() >= kEnoughForMean && rest > 10.0 * static_cast<double>(kMostInclusions)) {
+      refuse(label(group, index), "fraction = " + number_text(*group.fraction) + " takes some " +
+                                      number_text(rest, 3) +
+                                      " inclusions of this size, allowed are 100000000");
+    }
     batch = static_cast<std::int64_t>(
         std::clamp(1.02 * rest + 16.0, 16.0, 64.0 * static_cast<double>(bodies.size()) + 16.0));
     batch = std::min(batch, kMostInclusions - static_cast<std::int64_t>(bodies.size()) + 1);

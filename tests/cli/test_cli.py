@@ -108,6 +108,33 @@ class Usage(Case):
             done = self.run_program(command, "missing.json", "-o", output, code=2)
             self.assertIn("unknown ending", done.stderr)
 
+    def test_messages_say_what_is_wrong_and_what_was_likely_meant(self):
+        fibers = EXAMPLES / "fibers.toml"
+        self.pack_fibers()
+        self.write("flat.toml", "[cell]\nsize = [1, 1]\n[[inclusions]]\nshape = \"disk\"\n"
+                                "radius = 0.1\ncount = 3\n")
+        self.run_program("pack", "flat.toml")
+        (self.folder / "folder").mkdir()
+        for arguments, words in [
+                ([], "a command is missing; commands: new, pack"),
+                (["pakc", fibers], "pakc is no command; did you mean pack?"),
+                (["pack", fibers, "--seeed", "3"],
+                 "--seeed is no option of pack; did you mean --seed?"),
+                (["pack", fibers, "--time-limit", "soon"], "soon; allowed is a time > 0"),
+                (["pack", "folder"], "cannot read folder: it is a folder"),
+                (["pack", "missing.toml"], "missing.toml: there is no such file"),
+                (["pack", fibers, "--set", "pakcing.seed=3"],
+                 '--set pakcing.seed=3: unknown key "pakcing"; did you mean "packing"?'),
+                (["check", "fibers.json", "--min-gap", "-1"], "--min-gap: -1; allowed is a number"),
+                (["draw", "fibers.json", "-o", "x.png", "--color-by", "hue"],
+                 "hue; allowed is group, size or orientation"),
+                (["draw", "fibers.json", "-o", "x.png", "--elevation", "90"], "range -89"),
+                (["export", "flat.json", "-o", "x.stl"], "flat.json is a packing in the plane")]:
+            done = self.run_program(*arguments, code=2)
+            self.assertTrue(done.stderr.startswith("packstone: "), done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertEqual(done.stdout, "", arguments)
+
     @unittest.skipIf(os.geteuid() == 0, "the administrator may write everywhere")
     def test_a_folder_without_permission_is_refused_before_work(self):
         recipe = self.write("endless.toml", ENDLESS)
@@ -156,6 +183,15 @@ class Recipes(Case):
                                 ("packing.min_gap=0.3", "allowed")]:
             done = self.run_program("pack", recipe, "--set", override, code=2)
             self.assertIn(words, done.stderr)
+        for group, words in [
+                ('shape = "sphere"\nradius = 1e-6\nfraction = 0.1', "e+16 inclusions"),
+                ('shape = "cylinder"\naspect = 1e6\ncount = 3\nfraction = 0.01', "500 periods"),
+                ('shape = "sphere"\nradius = 0.6\ncount = 1', "its own periodic image")]:
+            text = "[cell]\nsize = [1, 1, 1]\n[[inclusions]]\n" + group + "\n"
+            done = self.run_program("pack", self.write("hopeless.toml", text), code=2)
+            self.assertIn("hopeless.toml: group", done.stderr)
+            self.assertIn(words, done.stderr)
+        (self.folder / "hopeless.toml").unlink()
         self.write("large.toml", "[cell]\nsize = [1, 1, 1]\n[[inclusions]]\nshape = \"sphere\"\n"
                                  "radius = 0.6\n")
         self.assertNotEqual(self.run_program("pack", "large.toml", code=2).stderr, "")

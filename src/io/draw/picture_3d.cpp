@@ -17,6 +17,7 @@
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/support.hpp"
 #include "packstone/structure/images.hpp"
 
 namespace packstone::draw {
@@ -112,6 +113,8 @@ class Scene {
     }
     return all;
   }
+
+  [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
 
   [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray) const {
     RTCIntersectContext context;
@@ -217,9 +220,9 @@ class Scene {
 
 class Camera {
  public:
-  // Looks at the middle of `box`, far enough away that lines stay almost parallel; the box fills
+  // Looks at the middle of `box`, far enough away that lines stay almost parallel; the solids fill
   // the picture but for a margin.
-  Camera(const Box& box, const DrawOptions& options)
+  Camera(const std::vector<Solid>& solids, const Box& box, const DrawOptions& options)
       : aspect_(static_cast<double>(options.width) / options.height) {
     const double azimuth = options.azimuth * std::numbers::pi / 180.0;
     const double elevation = options.elevation * std::numbers::pi / 180.0;
@@ -230,7 +233,7 @@ class Camera {
     forward_ = -back;
     const Vec3 middle = 0.5 * (box.low + box.high);
     eye_ = middle + 2.6 * norm(box.high - box.low) * back;
-    frame(box);
+    frame(solids);
   }
 
   // x, y in [0, 1] from the lower left corner.
@@ -246,19 +249,27 @@ class Camera {
   }
 
  private:
-  void frame(const Box& box) {
+  // How far the solid reaches along `side` in the picture plane. The outermost point of a view in
+  // perspective lies where the plane through the eye touches; a second look from there suffices,
+  // since the view is almost parallel.
+  [[nodiscard]] double edge(const Solid& solid, const Vec3& side) const {
+    double at = 0.0;
+    for (int look = 0; look < 2; ++look) {
+      const Vec3 p = solid.center + support_point(solid.body, side - at * forward_) - eye_;
+      at = dot(p, side) / dot(p, forward_);
+    }
+    return at;
+  }
+
+  void frame(const std::vector<Solid>& solids) {
     Vec2 low{kInfinity, kInfinity};
     Vec2 high{-kInfinity, -kInfinity};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const Vec3 p{(corner & 1) != 0 ? box.high.x : box.low.x,
-                   (corner & 2) != 0 ? box.high.y : box.low.y,
-                   (corner & 4) != 0 ? box.high.z : box.low.z};
-      const double depth = dot(p - eye_, forward_);
-      const Vec2 at{dot(p - eye_, right_) / depth, dot(p - eye_, up_) / depth};
-      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    for (const Solid& solid : solids) {
+      if (solid.clipped) continue;  // inside the cell, whose edges are solids too
+      low = {std::min(low.x, -edge(solid, -right_)), std::min(low.y, -edge(solid, -up_))};
+      high = {std::max(high.x, edge(solid, right_)), std::max(high.y, edge(solid, up_))};
     }
-    constexpr double margin = 1.06;
+    constexpr double margin = 1.05;
     center_u_ = 0.5 * (low.x + high.x);
     center_v_ = 0.5 * (low.y + high.y);
     half_ = margin * std::max(0.5 * (high.y - low.y), 0.5 * (high.x - low.x) / aspect_);
@@ -314,7 +325,7 @@ class Shader {
   Shader(const Scene& scene, const Box& box, const Camera& camera)
       : scene_(scene),
         key_(camera.key_light()),
-        reach_(0.6 * norm(box.high - box.low)),
+        reach_(0.35 * norm(box.high - box.low)),
         offset_(1e-5 * norm(box.high - box.low)),
         ground_(box.low.z - 0.015 * norm(box.high - box.low)) {}
 
@@ -327,7 +338,7 @@ class Shader {
   [[nodiscard]] Vec3 lit(const Hit& hit, const Ray& ray, const PixelSamples& samples) const {
     const Vec3 at = ray.origin + hit.t * ray.direction + offset_ * hit.normal;
     const Vec3 sky = direction_about(hit.normal, 1.0, samples.point(PixelSamples::sky));
-    const double ambient = scene_.blocked({at, sky}, reach_) ? 0.12 : 0.62;
+    const double ambient = scene_.blocked({at, sky}, reach_) ? 0.24 : 0.62;
     const Vec3 light = direction_about(key_, 0.12, samples.point(PixelSamples::key));
     const double facing = dot(hit.normal, light);
     const bool lighted = facing > 0.0 && !scene_.blocked({at, light}, kInfinity);
@@ -376,7 +387,7 @@ Vec3 pixel(const Shader& shader, const Camera& camera, const DrawOptions& option
 Image picture_3d(const Packing& packing, const DrawOptions& options, RunContext& run) {
   const Scene scene(all_solids(packing, options), {{0, 0, 0}, packing.cell.size});
   const Box box = scene.bounds();
-  const Camera camera(box, options);
+  const Camera camera(scene.solids(), box, options);
   const Shader shader(scene, box, camera);
   Image image(options.width, options.height);
   // Embree limits the pool of threads to the machine's; asking for more would only draw a warning.

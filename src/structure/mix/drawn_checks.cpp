@@ -21,6 +21,8 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr double kMostPeriods = 500;  // what check_packing() takes
+
 // One of each pair of opposite images that a body of the given reach may meet, the origin left out.
 std::vector<std::array<int, 3>> half_of_images(const Cell& cell, double reach) {
   std::array<int, 3> most{0, 0, 0};
@@ -41,6 +43,11 @@ std::vector<std::array<int, 3>> half_of_images(const Cell& cell, double reach) {
 // A centrally symmetric body meets its image at s exactly when s / 2 lies inside it.
 void check_own_images(const Cell& cell, const Body& body) {
   const double reach = 2.0 * circum_radius(body);
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    if (!cell.periodic[axis] || reach <= kMostPeriods * cell.size[axis]) continue;
+    throw InvalidArgument(lengths_text({body}) + " is longer than 500 periods of the cell along " +
+                          "xyz"[axis] + ", allowed are 500");
+  }
   if (reach <= std::min({cell.size.x, cell.size.y, cell.dimension == 2 ? reach : cell.size.z})) {
     return;
   }

@@ -1,4 +1,5 @@
 #include <cairo/cairo.h>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -77,6 +78,22 @@ TEST_CASE("a ball stands in the middle of its 3D picture, in the color of its gr
   CHECK(picture.height() == 120);
   CHECK(is_blue(picture.at(0.5, 0.5)));
   CHECK(is_white(picture.at(0.01, 0.01)));
+}
+
+TEST_CASE("a 3D picture is filled by what stands in it, but for a margin") {
+  draw_packing(scratch("framed.png"), one_ball(2.0), kSmall);
+  const Picture picture(scratch("framed.png"));
+  int top = 120, bottom = 0;
+  for (int y = 0; y < 120; ++y) {
+    if (!is_blue(picture.at(0.5, (y + 0.5) / 120))) continue;
+    top = std::min(top, y);
+    bottom = std::max(bottom, y);
+  }
+  // A margin of 2.4 % of 120 rows is 3 rows; dark rims may count as not blue.
+  CHECK(top >= 2);
+  CHECK(top <= 6);
+  CHECK(bottom >= 113);
+  CHECK(bottom <= 117);
 }
 
 TEST_CASE("a ball at the corner shows at all corners when cut, at one when whole") {

@@ -1,9 +1,13 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "packstone/core/error.hpp"
 #include "packstone/recipe/recipe.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace packstone;
 
@@ -252,6 +256,26 @@ std::vector<Wrong> wrong_recipes() {
       {"no trials",
        kFine + "[packing.rsa]\nmax_trials = 0\n",
        {"bad.toml:8: packing.rsa.max_trials = 0; allowed is an integer >= 1"}},
+      {"a misspelled shape",
+       kCell + kGroup + "shape = \"Spere\"\n" + kBoth,
+       {"bad.toml:4: inclusions[0].shape = \"Spere\"", "did you mean \"sphere\"?"}},
+      {"a shape of the plane in space",
+       kCell + kGroup + "shape = \"disk\"\n" + kBoth,
+       {"bad.toml:4: inclusions[0].shape = \"disk\"", "in a 3D cell"}},
+      {"a misspelled method",
+       kFine + "[packing]\nmethod = \"rsq\"\n",
+       {"bad.toml:8: packing.method = \"rsq\"", "did you mean \"rsa\"?"}},
+      {"a count with a point",
+       spheres("count = 10.0\nfraction = 0.1\n"),
+       {"bad.toml:5: inclusions[0].count = 10.0", "an integer >= 1, without point or exponent"}},
+      {"a tensor of trace 2",
+       rods("aspect = 5\n" + kBoth +
+            "orientation = { tensor = [[1, 0, 0], [0, 1, 0], [0, 0, 0]] }\n"),
+       {"bad.toml:8: inclusions[0].orientation.tensor has trace 2, allowed is 1"}},
+      {"a tensor of negative eigenvalue",
+       rods("aspect = 5\n" + kBoth +
+            "orientation = { tensor = [[1.2, 0, 0], [0, -0.2, 0], [0, 0, 0]] }\n"),
+       {"bad.toml:8: inclusions[0].orientation.tensor has the eigenvalue -0.2"}},
       {"two groups of open count",
        spheres("radius = 0.1\n[[inclusions]]\n" + kSphere + "radius = 0.05\n"),
        {"bad.toml:6: inclusions[1] is the second group with a size alone"}},
@@ -279,4 +303,23 @@ TEST_CASE("all mistakes of a recipe are told at once, each with its line") {
   CHECK_THAT(message, Catch::Contains("bad.toml:5: unknown key \"inclusions[0].cuont\""));
   CHECK_THAT(message, Catch::Contains("bad.toml:6: inclusions[0].fraction = 1.5"));
   CHECK_THAT(message, Catch::Contains("bad.toml:8: packing.min_gap = \"none\""));
+}
+
+TEST_CASE("a table of sizes that is none is named, cut short and made printable") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sizes");
+  std::ofstream(folder / "noise.csv") << "1, 2\n\x1b[31m\xff" << std::string(500, 'x') << ",1,2\n";
+  const auto with = [&](const std::string& table) {
+    std::ofstream(folder / "r.toml") << kFine << "size = { table = \"" << table << "\" }\n";
+    try {
+      std::ignore = read_recipe(folder / "r.toml");
+    } catch (const InvalidArgument& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CHECK_THAT(with("sizes"), Catch::Contains("r.toml:7: ") && Catch::Contains("is a folder"));
+  const std::string message = with("noise.csv");
+  CHECK_THAT(message, Catch::Contains("noise.csv:2: ?[31m?xxx") && Catch::Contains("..."));
+  CHECK(message.find('\x1b') == std::string::npos);
 }
