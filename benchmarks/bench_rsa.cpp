@@ -171,7 +171,8 @@ void run_scaling(std::int64_t largest) {
 }
 
 void run_spheres(std::int64_t count) {
-  const double radius = std::cbrt(0.30 * 3.0 / (4.0 * std::numbers::pi * count));
+  const double radius =
+      std::cbrt(0.30 * 3.0 / (4.0 * std::numbers::pi * static_cast<double>(count)));
   const std::vector<OrderedBody> bodies(static_cast<std::size_t>(count),
                                         OrderedBody{Sphere{radius}, 0});
   std::vector<double> seconds;

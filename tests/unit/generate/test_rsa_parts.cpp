@@ -3,10 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "generate/rsa/outline.hpp"
 #include "generate/rsa/pose.hpp"
+#include "generate/rsa/trial_numbers.hpp"
 #include "generate/rsa/vacancy_list.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/contact.hpp"
@@ -196,6 +198,43 @@ TEST_CASE("an ellipse that turns in its plane keeps its common core") {
     const Vec3 d{std::cos(phi), std::sin(phi), 0.0};
     REQUIRE(support(core.parts[0], d) <= support(member, d));
   }
+}
+
+TEST_CASE("numbers of trials are uniform, within a trial, from trial to trial, from body to body") {
+  // Pairs of neighboring words in 16 x 16 boxes: chi-square with 255 degrees of freedom has mean
+  // 255 and standard deviation 22.6; bounds are five of these away.
+  constexpr int pairs = 1 << 18;
+  const auto chi_square = [](const auto& pair_of) {
+    std::vector<int> counts(256, 0);
+    for (int k = 0; k < pairs; ++k) {
+      const auto [a, b] = pair_of(k);
+      ++counts[static_cast<std::size_t>(16.0 * a) * 16 + static_cast<std::size_t>(16.0 * b)];
+    }
+    double sum = 0.0;
+    for (const int count : counts) sum += std::pow(count - pairs / 256.0, 2) / (pairs / 256.0);
+    return sum;
+  };
+  const rsa::TrialNumbers numbers(3, StreamId::test, 4);
+  const double within = chi_square([&](int k) {
+    auto row = numbers.trial(k);
+    const double a = row.uniform();
+    return std::pair{a, row.uniform()};
+  });
+  const double between_trials = chi_square([&](int k) {
+    return std::pair{numbers.trial(k).uniform(), numbers.trial(k + 1).uniform()};
+  });
+  const double between_bodies = chi_square([&](int k) {
+    const auto item = static_cast<std::uint64_t>(k);
+    return std::pair{rsa::TrialNumbers(3, StreamId::test, item).trial(5).uniform(),
+                     rsa::TrialNumbers(3, StreamId::test, item + 1).trial(5).uniform()};
+  });
+  for (const double sum : {within, between_trials, between_bodies}) {
+    CHECK(sum > 142.0);
+    CHECK(sum < 368.0);
+  }
+  std::vector<int> thirds(3, 0);
+  for (int k = 0; k < 30'000; ++k) ++thirds[numbers.trial(k).below(3)];
+  for (const int third : thirds) CHECK(std::abs(third - 10'000) < 410);  // Five deviations.
 }
 
 TEST_CASE("a list of vacancies never loses a pose that fits") {
