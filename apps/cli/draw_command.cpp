@@ -1,3 +1,4 @@
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -25,6 +26,15 @@ std::string check_color(const std::string& word) {
   return kColors.count(word) != 0 ? "" : word + "; allowed is group, size or orientation";
 }
 
+CLI::Validator degrees_within(int most) {
+  const auto check = [most](const std::string& text) {
+    double degrees = 0.0;
+    if (CLI::detail::lexical_cast(text, degrees) && std::abs(degrees) <= most) return std::string();
+    return text + "; allowed is -" + std::to_string(most) + " to " + std::to_string(most);
+  };
+  return CLI::Validator(check, "");
+}
+
 void add_look(CLI::App& command, DrawOptions& options, std::string& color) {
   command.add_option("--color-by", color, "group [default], size or orientation")
       ->check(CLI::Validator(check_color, ""))
@@ -32,10 +42,10 @@ void add_look(CLI::App& command, DrawOptions& options, std::string& color) {
   command.add_flag("--cut", options.cut, "Cut bodies at the faces of the cell");
   command.add_option("--azimuth", options.azimuth, "Turn of the camera about z [35]")
       ->type_name("DEGREES")
-      ->check(CLI::Range(-360.0, 360.0).description(""));
+      ->check(degrees_within(360));
   command.add_option("--elevation", options.elevation, "Its height above the horizon [25]")
       ->type_name("DEGREES")
-      ->check(CLI::Range(-89.0, 89.0).description(""));
+      ->check(degrees_within(89));
   command.add_option("--samples", options.samples, "Rays per pixel = N x N, 1 to 32 [4]")
       ->type_name("N")
       ->check(CLI::Range(1, 32).description(""));

@@ -129,7 +129,8 @@ class Usage(Case):
                 (["check", "fibers.json", "--min-gap", "-1"], "--min-gap: -1; allowed is a number"),
                 (["draw", "fibers.json", "-o", "x.png", "--color-by", "hue"],
                  "hue; allowed is group, size or orientation"),
-                (["draw", "fibers.json", "-o", "x.png", "--elevation", "90"], "range -89"),
+                (["draw", "fibers.json", "-o", "x.png", "--elevation", "90"],
+                 "--elevation: 90; allowed is -89 to 89"),
                 (["export", "flat.json", "-o", "x.stl"], "flat.json is a packing in the plane")]:
             done = self.run_program(*arguments, code=2)
             self.assertTrue(done.stderr.startswith("packstone: "), done.stderr)

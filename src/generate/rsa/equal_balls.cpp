@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -15,6 +14,7 @@
 #include "generate/rsa/ball_grid.hpp"
 #include "generate/rsa/voxel_split.hpp"
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/core/tolerances.hpp"
@@ -52,11 +52,8 @@ Distances distances(const EqualBallsOrder& order) {
           order.radius * (1.0 + 64 * kUnitRoundoff) + shift};
 }
 
-std::string text(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.17g", x);
-  return buffer;
-}
+// Twelve digits: enough to tell a radius from half a cell that it hardly misses.
+std::string text(double x) { return number_text(x, 12); }
 
 void check_room(const EqualBallsOrder& order, const Distances& need) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(order.cell.dimension); ++axis) {
