@@ -28,6 +28,11 @@ struct Outline {
 
 [[nodiscard]] Outline outline_of(const Body& body) noexcept;
 
+/// Is the body a sphere or a disk?
+[[nodiscard]] inline bool is_ball(const Outline& outline) noexcept {
+  return outline.ends == Outline::Ends::round && outline.half_length == 0.0;
+}
+
 /// What a glance at two outlines shows.
 struct Glance {
   Verdict verdict = Verdict::undecided;  ///< As of decide(), proven.

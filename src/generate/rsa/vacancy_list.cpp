@@ -30,6 +30,24 @@ double lever(const Outline& outline) {
                                               : outline.half_length;
 }
 
+// Is a ball overlapped from every point of a box of half edges `half`? `r` is from the middle of
+// the box; the farthest corner decides.
+bool covers_as_ball(const Outline& a, const Outline& b, const Vec3& half, const Vec3& r,
+                    double min_gap) {
+  const double near = a.in_radius + b.in_radius + min_gap;
+  const Vec3 farthest{std::abs(r.x) + half.x, std::abs(r.y) + half.y, std::abs(r.z) + half.z};
+  return norm_sq(farthest) <= near * near;
+}
+
+// Can it be touched from a point of the box?
+bool reaches_as_ball(const Outline& a, const Outline& b, const Vec3& half, const Vec3& r,
+                     double min_gap) {
+  const double far = a.circum_radius + b.circum_radius + min_gap;
+  const auto past = [](double x, double h) { return std::max(0.0, std::abs(x) - h); };
+  const Vec3 nearest{past(r.x, half.x), past(r.y, half.y), past(r.z, half.z)};
+  return norm_sq(nearest) <= far * far;
+}
+
 double box_reach(const Vec3& half, const Vec3& n) {
   return half.x * std::abs(n.x) + half.y * std::abs(n.y) + half.z * std::abs(n.z);
 }
@@ -50,6 +68,9 @@ VacancyList::VacancyList(const PlacedBodies& placed, const Candidate& candidate,
   const Vec3 extents = turning == Turning::none ? candidate.half_extents : Vec3{r, r, r};
   domain_ = centers_inside_walls(placed.cell(), extents);
   if (dimension_ == 2) domain_.lo.z = domain_.hi.z = 0.0;
+  origin_ = {domain_.lo.x, domain_.lo.y, domain_.lo.z};
+  end_ = {domain_.hi.x, domain_.hi.y, domain_.hi.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) length_[axis] = end_[axis] - origin_[axis];
   images_ = placed.images_near(domain_.lo, domain_.hi, candidate.outline.circum_radius);
   noticed_ = placed.size();
   cores_ = cores_of(division_.orientations);
@@ -81,7 +102,7 @@ std::int64_t VacancyList::expected_split_cost() const {
 double VacancyList::edge_at(const Division& division, std::size_t axis, std::int32_t index) const {
   // The same expression for both neighbors of a face, so that no point is lost between them.
   const double part = static_cast<double>(index) * division.per_count[axis];
-  return domain_.lo[axis] + (domain_.hi[axis] - domain_.lo[axis]) * part;
+  return origin_[axis] + length_[axis] * part;
 }
 
 VacancyList::Box VacancyList::box_of(const Division& division, const PoseCell& cell) const {
@@ -242,6 +263,12 @@ bool VacancyList::is_empty(const CommonCore& core, const Box& box,
     const double far = core.middle_outline.circum_radius + other.circum_radius + min_gap + blur;
     cost += Cost::pair;
     if (norm_sq(r) > far * far) continue;
+    if (is_ball(core.middle_outline) && is_ball(other)) {
+      if (covers_as_ball(core.middle_outline, other, box.half, r, min_gap)) return true;
+      if (!reaches_as_ball(core.middle_outline, other, box.half, r, min_gap)) continue;
+      kept.push_back(image);
+      continue;
+    }
     const Verdict seen = quick_verdict(core.middle_outline, other, r, min_gap);
     cost += Cost::glance;
     if (seen == Verdict::separated) {
@@ -392,14 +419,16 @@ VacancyList::Pose VacancyList::draw(TrialNumbers::Row numbers) const {
   pose.cell = static_cast<std::int32_t>(numbers.below(static_cast<std::uint64_t>(size())));
   const PoseCell& cell = cells_[static_cast<std::size_t>(pose.cell)];
   std::array<std::uint64_t, 3> low{};
+  std::array<double, 3> center{};
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
     const std::uint64_t word = numbers.bits();
     low[axis] = word & ((1u << low_bits) - 1);
+    // In the box but for rounding, which its margin covers.
     const double part = static_cast<double>(word >> low_bits) * 0x1p-42;
-    const double lo = edge_at(division_, axis, cell.index[axis]);
-    const double hi = edge_at(division_, axis, cell.index[axis] + 1);
-    pose.center[axis] = std::min(lo + (hi - lo) * part, hi);
+    const double at = (cell.index[axis] + part) * division_.per_count[axis];
+    center[axis] = std::min(origin_[axis] + length_[axis] * at, end_[axis]);
   }
+  pose.center = {center[0], center[1], center[2]};
   pose.u = static_cast<double>(low[0] << 11 | low[2] >> 11) * 0x1p-33;
   pose.v = static_cast<double>(low[1] << 11 | (low[2] & 0x7ff)) * 0x1p-33;
   if (turning_ == Turning::in_plane) pose.u = static_cast<double>(low[0] << 22 | low[1]) * 0x1p-44;

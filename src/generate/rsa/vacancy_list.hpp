@@ -122,6 +122,7 @@ class VacancyList {
   Turning turning_;
   bool may_meet_own_image_;
   CenterBox domain_;
+  std::array<double, 3> origin_, end_, length_;  // Of domain_, axis by axis.
   std::size_t dimension_;
   std::vector<PlacedImage> images_;
   std::int32_t noticed_ = 0;  // Placed bodies whose images are in images_.
