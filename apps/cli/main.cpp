@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace packstone;
+namespace cli = packstone::cli;
 
 // Where the descriptions of options begin in --help [columns].
 constexpr std::size_t kHelpColumn = 27;
@@ -30,7 +30,7 @@ const std::vector<std::string_view>& command_names() {
 }
 
 std::string near_word(const std::string& word, const std::vector<std::string_view>& known) {
-  const auto near = recipe::nearest_key(word, known);
+  const auto near = packstone::recipe::nearest_key(word, known);
   return near ? "; did you mean " + std::string(*near) + "?" : "";
 }
 
@@ -99,10 +99,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const InvalidArgument& error) {
+  } catch (const packstone::InvalidArgument& error) {
     complain(error);
     return cli::kBadInput;
-  } catch (const FileError& error) {
+  } catch (const packstone::FileError& error) {
     complain(error);
     return cli::kBadInput;
   } catch (const std::exception& error) {
