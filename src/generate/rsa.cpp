@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "generate/rsa/equal_balls.hpp"
+#include "generate/rsa/failed_starts.hpp"
 #include "generate/rsa/placed_bodies.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
@@ -358,6 +359,17 @@ bool are_many_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bodi
                      [&](const OrderedBody& ordered) { return ordered.body == first; });
 }
 
+rsa::FailedStarts no_failed_starts(const std::vector<OrderedBody>& bodies) {
+  double total = 0.0;
+  double largest = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    const double v = volume(ordered.body);
+    total += v;
+    largest = std::max(largest, v);
+  }
+  return {total, largest};
+}
+
 RsaResult pack_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bodies,
                            const std::vector<std::int64_t>& sequence, const RsaOptions& options,
                            const RunContext& run) {
@@ -367,6 +379,7 @@ RsaResult pack_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bod
                              .min_gap = options.min_gap,
                              .target = static_cast<std::int64_t>(bodies.size()),
                              .seed = options.seed};
+  rsa::FailedStarts failed = no_failed_starts(bodies);
   RsaResult result;
   rsa::EqualBallsRun best;
   for (;; ++order.start) {
@@ -374,10 +387,11 @@ RsaResult pack_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bod
     const RsaStop stop = balls.stop;
     result.trials += balls.trials;
     result.restarts = static_cast<std::int64_t>(order.start);
+    failed.add(static_cast<double>(balls.centers.size()) * volume(ball));
     if (order.start == 0 || balls.centers.size() > best.centers.size()) best = std::move(balls);
     if (is_interruption(stop)) best.stop = stop;
     if (stop == RsaStop::target_reached || is_interruption(stop) ||
-        result.restarts == options.max_restarts) {
+        result.restarts == options.max_restarts || failed.hopeless()) {
       break;
     }
   }
@@ -413,6 +427,7 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
   }
   const auto count = static_cast<std::int64_t>(bodies.size());
   Adsorption adsorption(cell, options, run, count);
+  rsa::FailedStarts failed = no_failed_starts(bodies);
   RsaResult result;
   Kept best;
   for (std::int64_t start = 0;; ++start) {
@@ -437,9 +452,11 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
               })};
     }
     result.restarts = start;
+    failed.add(placed_volume);
     const bool interrupted = is_interruption(stop_of(search));
     if (interrupted) best.stop = stop_of(search);
-    if (search == Search::placed || interrupted || start == options.max_restarts) break;
+    if (search == Search::placed || interrupted) break;
+    if (start == options.max_restarts || failed.hopeless()) break;
   }
   result.packing.cell = cell;
   result.packing.inclusions = std::move(best.inclusions);

@@ -143,7 +143,7 @@ double saturating_radius(const Recipe& recipe) {
   return common_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed));
 }
 
-RsaResult run_rsa(const Recipe& recipe, const InclusionMix& mix, RunContext run) {
+RsaResult run_rsa(const Recipe& recipe, const InclusionMix& mix, const RunContext& run) {
   const RsaOptions options = rsa_options(recipe);
   const auto open = std::find(mix.open_count.begin(), mix.open_count.end(), true);
   if (open == mix.open_count.end()) return rsa_pack(recipe.cell, mix.bodies, options, run);
@@ -239,7 +239,7 @@ bool everything_stands(const std::vector<GroupOutcome>& groups, RsaStop stop) {
          stop == RsaStop::target_reached;
 }
 
-void certify(const Recipe& recipe, RunContext run, PackOutcome& outcome) {
+void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) {
   // Not interrupted: whatever was reached is worth a certificate only when the check is complete.
   const RunContext whole = RunContext{}.threads(run.threads());
   outcome.packing.certificate = check_packing(outcome.packing, {.min_gap = recipe.min_gap}, whole);

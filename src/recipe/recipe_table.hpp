@@ -118,6 +118,7 @@ std::optional<T> read_choice(const Entry& entry,
     listed += (listed.empty() ? "\"" : ", \"") + std::string(text) + "\"";
   }
   std::vector<std::string_view> words;
+  words.reserve(choices.size());
   for (const auto& [text, value] : choices) words.push_back(text);
   complaints.not_allowed(entry, (choices.size() == 1 ? listed : "one of " + listed) +
                                     (word ? hint(*word, words) : ""));

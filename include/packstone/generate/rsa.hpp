@@ -39,7 +39,9 @@ struct RsaOptions {
   std::int64_t max_trials = 10'000'000;
 
   /// Fresh starts after an inclusion that was proven not to fit, or given up [-]. >= 0.
-  /// A packing reached after a restart is RSA conditioned on success.
+  /// A packing reached after a restart is RSA conditioned on success. Fewer where they would be
+  /// hopeless: when eight or more starts have all ended far below the volume ordered, by twelve
+  /// standard deviations of what they reached and twelve largest bodies.
   std::int64_t max_restarts = 1'000'000;
 
   /// Key of every random stream of the run.
@@ -49,8 +51,8 @@ struct RsaOptions {
 /// Why a run stopped. All of these are ordinary outcomes; none is an exception.
 enum class RsaStop {
   target_reached,  ///< Every inclusion ordered stands.
-  saturated,       ///< Proven: the next inclusion fits nowhere (and restarts are used up).
-  given_up,        ///< max_trials in a row failed (and restarts are used up).
+  saturated,       ///< Proven: the next inclusion fits nowhere (restarts used up, or hopeless).
+  given_up,        ///< max_trials in a row failed (restarts used up, or hopeless).
   cancelled,       ///< The run was cancelled; the packing so far is valid.
   out_of_time,     ///< The time limit passed; the packing so far is valid.
 };

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
@@ -132,6 +134,24 @@ RsaOptions with_seed(std::uint64_t seed) {
   RsaOptions options;
   options.seed = seed;
   return options;
+}
+
+TEST_CASE("an order far above what RSA reaches ends by itself with the best packing") {
+  // Disks saturate near 0.547, parallel cylinders below 0.5.
+  const auto equal = [](const Body& body, double wanted) {
+    const auto count = static_cast<std::size_t>(wanted / volume(body));
+    return std::vector<OrderedBody>(count, {body, 0});
+  };
+  const std::vector<OrderedBody> disks = equal(Disk{0.02}, 0.70);
+  const std::vector<OrderedBody> rods = equal(Cylinder{0.04, 0.12, {0, 0, 1}}, 0.75);
+  for (const auto& [cell, bodies] : {std::pair{cell_2d(1, 1), disks}, {Cell{}, rods}}) {
+    RsaResult result = rsa_pack(cell, bodies, with_seed(5));
+    CHECK(result.stop == RsaStop::saturated);
+    CHECK(result.restarts < 100);
+    CHECK(result.packing.inclusions.size() < bodies.size());
+    result.packing.groups = {"all"};
+    CHECK(check_packing(result.packing).passed());
+  }
 }
 
 }  // namespace
