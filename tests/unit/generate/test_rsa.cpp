@@ -7,68 +7,19 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
-#include "packstone/geometry/bounds.hpp"
-#include "packstone/geometry/contact.hpp"
-#include "packstone/geometry/measures.hpp"
-#include "packstone/geometry/support.hpp"
 #include "packstone/structure/check_packing.hpp"
+#include "rsa_oracle.hpp"
 #include "scenes.hpp"
 
 namespace packstone {
+
+using namespace rsa_oracle;
+
 namespace {
-
-// Calls visit(shift) for all images within `range` periods.
-template <class Visit>
-void for_images(const Cell& cell, int range, Visit&& visit) {
-  const auto last = [&](std::size_t axis) { return cell.periodic[axis] ? range : 0; };
-  for (int z = -last(2); z <= last(2); ++z) {
-    for (int y = -last(1); y <= last(1); ++y) {
-      for (int x = -last(0); x <= last(0); ++x) visit(image_shift(cell, {x, y, z}));
-    }
-  }
-}
-
-// All pairs over all images within two periods, own images included, by the exact kernel.
-int count_unproven_pairs(const Packing& packing, double min_gap) {
-  int unproven = 0;
-  const auto& all = packing.inclusions;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = i; j < all.size(); ++j) {
-      for_images(packing.cell, 2, [&](const Vec3& shift) {
-        if (i == j && norm(shift) == 0.0) return;
-        const Vec3 r = (all[j].center + shift) - all[i].center;
-        unproven += overlap(all[i].body, all[j].body, r, min_gap) != Verdict::separated;
-      });
-    }
-  }
-  return unproven;
-}
-
-int count_outside_walls(const Packing& packing) {
-  int outside = 0;
-  for (const Inclusion& inclusion : packing.inclusions) {
-    const Vec3 extents = half_extents(inclusion.body);
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(packing.cell.dimension); ++axis) {
-      const double x = inclusion.center[axis];
-      if (packing.cell.periodic[axis]) {
-        outside += x < 0.0 || x >= packing.cell.size[axis];
-      } else {
-        outside += x - extents[axis] < 0.0 || x + extents[axis] > packing.cell.size[axis];
-      }
-    }
-  }
-  return outside;
-}
-
-void require_valid(const Packing& packing, double min_gap = 0.0) {
-  CHECK(count_unproven_pairs(packing, min_gap) == 0);
-  CHECK(count_outside_walls(packing) == 0);
-}
 
 // `count` of each 3D shape, of unlike sizes, turned at random.
 std::vector<OrderedBody> mixture_3d(int count, double size, std::uint64_t seed) {
@@ -95,31 +46,6 @@ std::vector<OrderedBody> mixture_2d(int count, double size, std::uint64_t seed) 
   return bodies;
 }
 
-// Plain attempts at further copies of `body`, turned at random if `turn`: how many fit? Shares
-// nothing with the generator but the exact kernel.
-int count_fitting(const Packing& packing, const Body& body, bool turn, int attempts) {
-  int fitting = 0;
-  for (int k = 0; k < attempts; ++k) {
-    RandomStream random(99, StreamId::test, static_cast<std::uint64_t>(k));
-    Vec3 c{random.uniform() * packing.cell.size.x, random.uniform() * packing.cell.size.y, 0.0};
-    if (packing.cell.dimension == 3) c.z = random.uniform() * packing.cell.size.z;
-    const Body turned = turn ? rotated(body, random_rotation(random)) : body;
-    bool free = true;
-    for (const Inclusion& other : packing.inclusions) {
-      const double reach = circum_radius(turned) + circum_radius(other.body);
-      for_images(packing.cell, 1, [&](const Vec3& shift) {
-        const Vec3 r = (other.center + shift) - c;
-        if (free && norm_sq(r) < reach * reach) {
-          free = overlap(turned, other.body, r) == Verdict::separated;
-        }
-      });
-      if (!free) break;
-    }
-    fitting += free;
-  }
-  return fitting;
-}
-
 std::string message_of(const Cell& cell, const std::vector<OrderedBody>& bodies,
                        const RsaOptions& options = {}) {
   try {
@@ -128,30 +54,6 @@ std::string message_of(const Cell& cell, const std::vector<OrderedBody>& bodies,
     return error.what();
   }
   return "";
-}
-
-RsaOptions with_seed(std::uint64_t seed) {
-  RsaOptions options;
-  options.seed = seed;
-  return options;
-}
-
-TEST_CASE("an order far above what RSA reaches ends by itself with the best packing") {
-  // Disks saturate near 0.547, parallel cylinders below 0.5.
-  const auto equal = [](const Body& body, double wanted) {
-    const auto count = static_cast<std::size_t>(wanted / volume(body));
-    return std::vector<OrderedBody>(count, {body, 0});
-  };
-  const std::vector<OrderedBody> disks = equal(Disk{0.02}, 0.70);
-  const std::vector<OrderedBody> rods = equal(Cylinder{0.04, 0.12, {0, 0, 1}}, 0.75);
-  for (const auto& [cell, bodies] : {std::pair{cell_2d(1, 1), disks}, {Cell{}, rods}}) {
-    RsaResult result = rsa_pack(cell, bodies, with_seed(5));
-    CHECK(result.stop == RsaStop::saturated);
-    CHECK(result.restarts < 100);
-    CHECK(result.packing.inclusions.size() < bodies.size());
-    result.packing.groups = {"all"};
-    CHECK(check_packing(result.packing).passed());
-  }
 }
 
 }  // namespace
@@ -357,69 +259,6 @@ TEST_CASE("rsa_pack places many equal spheres or disks, at the density where the
     CHECK(scenes::state_hash(rsa_pack(c.cell, bodies, options).packing) !=
           scenes::state_hash(alone.packing));
   }
-}
-
-TEST_CASE("rsa_pack keeps the fullest start of many equal spheres, and stops when asked to") {
-  const std::vector<OrderedBody> bodies(400, OrderedBody{Sphere{0.067}, 0});  // 0.50 of the cell.
-  RsaOptions options = with_seed(4);
-  options.max_restarts = 0;
-  const RsaResult once = rsa_pack(Cell{}, bodies, options);
-  options.max_restarts = 4;
-  const RsaResult best = rsa_pack(Cell{}, bodies, options);
-  CHECK(once.stop == RsaStop::saturated);
-  CHECK(best.stop == RsaStop::saturated);
-  CHECK(best.restarts == 4);
-  CHECK(best.trials > once.trials);
-  CHECK(best.packing.inclusions.size() > once.packing.inclusions.size());
-  CHECK(best.packing.inclusions.size() < 330);
-  require_valid(best.packing);
-  CHECK(count_fitting(best.packing, bodies.front().body, false, 8'000) == 0);
-
-  const std::atomic<bool> cancel{true};
-  const RsaResult cancelled = rsa_pack(Cell{}, bodies, options, RunContext{}.cancel_flag(&cancel));
-  CHECK(cancelled.stop == RsaStop::cancelled);
-  CHECK(cancelled.restarts == 0);
-}
-
-TEST_CASE("rsa_pack starts afresh when a body is proven not to fit, and says how often") {
-  // 21 spheres at 0.34 of the cell fit in some starts only.
-  const double radius = std::cbrt(0.34 * 3.0 / (4.0 * std::numbers::pi * 21));
-  const std::vector<OrderedBody> bodies(21, OrderedBody{Sphere{radius}, 0});
-  RsaOptions options = with_seed(3);
-  options.max_restarts = 0;
-  const RsaResult once = rsa_pack(Cell{}, bodies, options);
-  options.max_restarts = 1000;
-  const RsaResult result = rsa_pack(Cell{}, bodies, options);
-  REQUIRE(result.stop == RsaStop::target_reached);
-  require_valid(result.packing);
-  if (once.stop == RsaStop::target_reached) {
-    CHECK(result.restarts == 0);
-  } else {
-    CHECK(once.stop == RsaStop::saturated);
-    CHECK(once.restarts == 0);
-    CHECK(result.restarts > 0);
-  }
-  // 0.45 is out of reach: the fullest start is kept.
-  const double large = std::cbrt(0.45 * 3.0 / (4.0 * std::numbers::pi * 21));
-  options.max_restarts = 20;
-  const RsaResult best =
-      rsa_pack(Cell{}, std::vector<OrderedBody>(21, OrderedBody{Sphere{large}, 0}), options);
-  CHECK(best.stop == RsaStop::saturated);
-  CHECK(best.restarts == 20);
-  CHECK(best.packing.inclusions.size() > 12);
-  require_valid(best.packing);
-}
-
-TEST_CASE("rsa_pack gives a body up after max_trials") {
-  const double radius = std::cbrt(0.45 * 3.0 / (4.0 * std::numbers::pi * 21));
-  RsaOptions options = with_seed(3);
-  options.max_trials = 20;
-  options.max_restarts = 2;
-  const RsaResult result =
-      rsa_pack(Cell{}, std::vector<OrderedBody>(21, OrderedBody{Sphere{radius}, 0}), options);
-  CHECK(result.stop == RsaStop::given_up);
-  CHECK(result.restarts == 2);
-  require_valid(result.packing);
 }
 
 TEST_CASE("rsa_pack keeps what is valid when it is cancelled or out of time") {

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "generate/rsa/failed_starts.hpp"
 #include "generate/rsa/outline.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/trial_numbers.hpp"
@@ -56,29 +55,6 @@ bool leaves_room_for(const rsa::PlacedBodies& placed, const Candidate& candidate
 
 double angle_between_lines(const Vec3& u, const Vec3& v) {
   return std::atan2(norm(cross(u, v)), std::abs(dot(u, v)));
-}
-
-TEST_CASE("starts are hopeless when eight of them end far below the order, and not before") {
-  RandomStream random(17, StreamId::test);
-  rsa::FailedStarts failed(0.50, 0.002);
-  for (int start = 0; start < 7; ++start) {
-    failed.add(0.36 + 0.003 * random.normal());
-    CHECK_FALSE(failed.hopeless());
-  }
-  failed.add(0.36);
-  CHECK(failed.hopeless());
-}
-
-TEST_CASE("starts that end a few deviations or a few bodies short are never hopeless") {
-  RandomStream random(18, StreamId::test);
-  rsa::FailedStarts scattered(0.36, 1e-4);
-  rsa::FailedStarts alike(0.36, 0.05);
-  for (int start = 0; start < 1000; ++start) {
-    scattered.add(0.33 + 0.005 * random.normal());
-    alike.add(0.31);
-    REQUIRE_FALSE(scattered.hopeless());
-    REQUIRE_FALSE(alike.hopeless());
-  }
 }
 
 }  // namespace
