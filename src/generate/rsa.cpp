@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <optional>
 
+#include "generate/rsa/adsorption.hpp"
 #include "generate/rsa/equal_balls.hpp"
 #include "generate/rsa/failed_starts.hpp"
 #include "generate/rsa/placed_bodies.hpp"
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
-#include "generate/rsa/trial_numbers.hpp"
-#include "generate/rsa/trials.hpp"
-#include "generate/rsa/vacancy_list.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/measures.hpp"
@@ -23,12 +19,10 @@
 namespace packstone {
 namespace {
 
-using rsa::Candidate;
-using rsa::Cost;
+using rsa::Adsorption;
 using rsa::PlacedBodies;
-using rsa::TrialNumbers;
+using rsa::Search;
 using rsa::Turning;
-using rsa::VacancyList;
 
 void check_options(const RsaOptions& options) {
   if (!(options.min_gap >= 0.0) || !std::isfinite(options.min_gap)) {
@@ -51,11 +45,6 @@ void check_options(const RsaOptions& options) {
   }
 }
 
-bool is_redrawn(const RsaOptions& options, int group) {
-  return static_cast<std::size_t>(group) < options.redraw_orientation.size() &&
-         options.redraw_orientation[static_cast<std::size_t>(group)];
-}
-
 // Throws unless `ordered` is a body for this cell. `k` is its number in the order.
 void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
                    const RsaOptions& options) {
@@ -72,7 +61,7 @@ void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
   if (ordered.group < 0) {
     throw InvalidArgument(fmt::format("body {}: group is {}; it must be >= 0", k, ordered.group));
   }
-  const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options, ordered.group));
+  const Turning turning = rsa::turning_on_trial(ordered, options);
   const auto reason =
       rsa::why_it_cannot_stand(cell, ordered.body, options.min_gap, turning != Turning::none);
   if (reason) {
@@ -118,178 +107,6 @@ std::uint64_t key_of_start(std::uint64_t seed, std::int64_t start) {
   return RandomStream(seed, StreamId::rsa_center, no_item, static_cast<std::uint64_t>(start))
       .bits();
 }
-
-// How the search for a place for one body ended.
-enum class Search { placed, no_room, given_up, cancelled, out_of_time };
-
-Search as_search(StopRequest request) {
-  return request == StopRequest::cancelled ? Search::cancelled : Search::out_of_time;
-}
-
-constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
-
-// Places bodies one after another into one cell.
-class Adsorption {
- public:
-  Adsorption(const Cell& cell, const RsaOptions& options, const RunContext& run,
-             std::int64_t expected)
-      : cell_(cell), options_(options), run_(run), placed_(cell, options.min_gap, expected) {}
-
-  void start(std::uint64_t key) {
-    key_ = key;
-    placed_.clear();
-    list_.reset();
-  }
-
-  // Body number `item` of the order.
-  Search place(const OrderedBody& ordered, std::int64_t item) {
-    // Most bodies stand after a few trials, so that reading the clock for each would be felt.
-    if (bodies_until_poll_-- == 0) {
-      bodies_until_poll_ = 7;
-      if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
-        return as_search(stop);
-      }
-    }
-    const Turning turning = rsa::turning_of(ordered.body, is_redrawn(options_, ordered.group));
-    const bool same = list_ && list_->turning() == turning && list_->body() == ordered.body;
-    if (!same) list_.reset();
-    candidate_ = Candidate(ordered.body, placed_.needs_extents());
-    trials_in_row_ = 0;
-    if (!same) {
-      const Search plain = try_anywhere(turning, item);
-      if (plain != Search::no_room) return plain;
-      list_.emplace(placed_, candidate_, turning);
-    }
-    return try_vacancies(item);
-  }
-
-  [[nodiscard]] const PlacedBodies& placed() const { return placed_; }
-  [[nodiscard]] std::int64_t trials() const { return trials_; }
-
- private:
-  // A center anywhere.
-  Vec3 draw_center(const rsa::CenterBox& box, TrialNumbers::Row numbers) const {
-    Vec3 center{0, 0, 0};
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell_.dimension); ++axis) {
-      const double length = box.hi[axis] - box.lo[axis];
-      center[axis] = std::min(box.lo[axis] + length * numbers.uniform(), box.hi[axis]);
-    }
-    return wrapped(cell_, center);
-  }
-  Candidate draw_turned(Turning turning, std::int64_t item, std::int64_t k) const {
-    RandomStream random(key_, StreamId::rsa_orientation, static_cast<std::uint64_t>(item),
-                        static_cast<std::uint64_t>(k));
-    return Candidate(rsa::turned_at_random(candidate_.body, turning, random),
-                     placed_.needs_extents());
-  }
-
-  // Search::no_room here only means that plain trials have cost enough.
-  Search try_anywhere(Turning turning, std::int64_t item) {
-    const bool turns = turning != Turning::none;
-    const double r = candidate_.outline.in_radius;
-    const auto box =
-        rsa::centers_inside_walls(cell_, turns ? Vec3{r, r, r} : candidate_.half_extents);
-    const TrialNumbers numbers(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item));
-    const auto trial = [&](std::int64_t k, std::int64_t& cost) {
-      cost += Cost::trial;
-      const Vec3 center = draw_center(box, numbers.trial(k));
-      PlacedBodies::Nearby nearby;
-      if (!placed_.look_around(candidate_.outline, center, nearby, cost)) return false;
-      if (!turns) return placed_.leaves_room_for(candidate_, center, nearby, cost);
-      const double ball = candidate_.outline.in_radius;
-      if (!placed_.ball_leaves_room(ball, center, nearby, cost)) return false;
-      const Candidate turned = draw_turned(turning, item, k);
-      cost += Cost::trial;
-      return placed_.leaves_room_for(turned, center, nearby, cost) &&
-             rsa::is_inside(rsa::centers_inside_walls(cell_, turned.half_extents), center,
-                            cell_.dimension) &&
-             rsa::clears_own_images(cell_, turned, options_.min_gap);
-    };
-    const rsa::TrialRun outcome =
-        rsa::run_trials(0, options_.max_trials, plain_budget(turning), run_, trial);
-    return conclude(outcome, [&](std::int64_t k) {
-      const Vec3 center = draw_center(box, numbers.trial(k));
-      placed_.add(turns ? draw_turned(turning, item, k) : candidate_, center);
-    });
-  }
-
-  Search try_vacancies(std::int64_t item) {
-    const TrialNumbers numbers(key_, StreamId::rsa_voxel, static_cast<std::uint64_t>(item));
-    const auto draw = [&](std::int64_t k) { return list_->draw(numbers.trial(k)); };
-    const auto trial = [&](std::int64_t k, std::int64_t& cost) {
-      return list_->fits(draw(k), cost);
-    };
-    const Search search = split_and_try(draw, trial);
-    if (list_cost_ > 0) usual_list_cost_ = (3 * usual_list_cost_ + list_cost_) / 4;
-    list_cost_ = 0;
-    return search;
-  }
-
-  template <class Draw, class Trial>
-  Search split_and_try(const Draw& draw, const Trial& trial) {
-    while (list_->size() > 0) {
-      const std::int64_t budget = list_->can_split() ? trial_budget() : kNoBudget;
-      const rsa::TrialRun outcome =
-          rsa::run_trials(trials_in_row_, options_.max_trials, budget, run_, trial);
-      const Search search = conclude(outcome, [&](std::int64_t k) {
-        const VacancyList::Pose pose = draw(k);
-        placed_.add(list_->turned(pose), wrapped(cell_, pose.center));
-        list_->add_last_placed();
-      });
-      if (search != Search::no_room) return search;
-      list_cost_ += list_->split(run_);
-      if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
-        return as_search(stop);
-      }
-    }
-    return Search::no_room;
-  }
-
-  template <class Accept>
-  Search conclude(const rsa::TrialRun& outcome, Accept&& accept) {
-    trials_ += outcome.tried;
-    trials_in_row_ += outcome.tried;
-    if (outcome.accepted >= 0) {
-      accept(outcome.accepted);
-      return Search::placed;
-    }
-    if (outcome.stop != StopRequest::none) return as_search(outcome.stop);
-    return trials_in_row_ >= options_.max_trials ? Search::given_up : Search::no_room;
-  }
-
-  // Trials before the next split get as much as the split will cost, times the part of the cells
-  // that splits keep: where splitting thins the list fast, trials can wait. Balls split so cheaply,
-  // and so surely come to a proof, that a quarter of it is best. As long as the list holds most
-  // poses and is cheap to split, it offers nothing that plain trials did not.
-  std::int64_t trial_budget() const {
-    const std::int64_t split = list_->expected_split_cost();
-    if (list_->part() > 0.5 && split < plain_budget(list_->turning()) / 4) return 0;
-    const double worth = rsa::is_ball(candidate_.outline) ? 0.25 : 1.0;
-    return static_cast<std::int64_t>(worth * static_cast<double>(split) *
-                                     list_->kept_by_last_split());
-  }
-
-  // Plain trials may cost half of what a list of vacancies is likely to: a mean over those that
-  // were needed so far, or a guess. So the two together cost little more than the better one.
-  std::int64_t plain_budget(Turning turning) const {
-    if (usual_list_cost_ > 0) return usual_list_cost_ / 2;
-    const std::int64_t per_body = turning == Turning::none ? 1000 : 6000;
-    return per_body * (10 + std::int64_t{placed_.size()});
-  }
-
-  const Cell& cell_;
-  const RsaOptions& options_;
-  const RunContext& run_;
-  PlacedBodies placed_;
-  std::optional<VacancyList> list_;  // For candidate_ and its like, when plain trials did not do.
-  Candidate candidate_;
-  std::uint64_t key_ = 0;
-  std::int64_t trials_ = 0;
-  std::int64_t trials_in_row_ = 0;
-  std::int64_t list_cost_ = 0;
-  std::int64_t usual_list_cost_ = 0;
-  int bodies_until_poll_ = 0;
-};
 
 RsaStop stop_of(Search search) {
   switch (search) {
