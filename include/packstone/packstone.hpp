@@ -30,3 +30,4 @@
 #include "packstone/structure/inclusion_mix.hpp"
 #include "packstone/structure/orientation_law.hpp"
 #include "packstone/structure/packing.hpp"
+#include "packstone/structure/standing.hpp"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include "generate/rsa/adsorption.hpp"
 #include "generate/rsa/equal_balls.hpp"
@@ -15,6 +17,7 @@
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "packstone/structure/standing.hpp"
 
 namespace packstone {
 namespace {
@@ -45,9 +48,8 @@ void check_options(const RsaOptions& options) {
   }
 }
 
-// Throws unless `ordered` is a body for this cell. `k` is its number in the order.
-void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
-                   const RsaOptions& options) {
+// Throws unless `ordered` is a body of the kind of this cell. `k` is its number in the order.
+void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k) {
   try {
     check_body(ordered.body);
   } catch (const InvalidArgument& error) {
@@ -61,22 +63,21 @@ void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
   if (ordered.group < 0) {
     throw InvalidArgument(fmt::format("body {}: group is {}; it must be >= 0", k, ordered.group));
   }
-  const Turning turning = rsa::turning_on_trial(ordered, options);
-  const auto reason =
-      rsa::why_it_cannot_stand(cell, ordered.body, options.min_gap, turning != Turning::none);
-  if (reason) {
-    throw InvalidArgument(fmt::format("body {} ({}, group {}) cannot stand in the cell: {}", k,
-                                      name(shape), ordered.group, *reason));
-  }
 }
 
-void check_total_volume(const Cell& cell, const std::vector<OrderedBody>& bodies) {
-  double total = 0.0;
-  for (const OrderedBody& ordered : bodies) total += volume(ordered.body);
-  if (total > volume(cell)) {
-    throw InvalidArgument(fmt::format(
-        "the {} bodies have the total volume {:.6g}; it must be at most that of the cell, {:.6g}",
-        bodies.size(), total, volume(cell)));
+std::optional<std::string> why_it_cannot_stand(const Cell& cell, const OrderedBody& ordered,
+                                               const RsaOptions& options) {
+  const bool turns = rsa::turning_on_trial(ordered, options) != Turning::none;
+  return why_it_cannot_stand(cell, ordered.body, options.min_gap,
+                             turns ? Turn::any : Turn::as_given);
+}
+
+// Throws unless the body may stand in the cell alone.
+void check_alone(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
+                 const RsaOptions& options) {
+  if (const auto reason = why_it_cannot_stand(cell, ordered, options)) {
+    throw InvalidArgument(fmt::format("body {} ({}, group {}) cannot stand in the cell: {}", k,
+                                      name(kind(ordered.body)), ordered.group, *reason));
   }
 }
 
@@ -234,9 +235,10 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
   check_cell(cell);
   check_options(options);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    check_ordered(cell, bodies[k], static_cast<std::int64_t>(k), options);
+    check_ordered(cell, bodies[k], static_cast<std::int64_t>(k));
+    check_alone(cell, bodies[k], static_cast<std::int64_t>(k), options);
   }
-  check_total_volume(cell, bodies);
+  check_room(cell, bodies, options.min_gap);
 
   const std::vector<std::int64_t> sequence = sequence_of(bodies, options);
   if (are_many_equal_balls(cell, bodies)) {
@@ -294,8 +296,10 @@ RsaResult rsa_fill(const Cell& cell, const BodySource& source, const RsaOptions&
   Search search = Search::placed;
   for (std::int64_t k = 0; search == Search::placed; ++k) {
     const OrderedBody ordered = source(k);
-    check_ordered(cell, ordered, k, options);
-    search = adsorption.place(ordered, k);
+    check_ordered(cell, ordered, k);
+    if (k == 0) check_alone(cell, ordered, k, options);
+    const bool hopeless = k > 0 && why_it_cannot_stand(cell, ordered, options);
+    search = hopeless ? Search::no_room : adsorption.place(ordered, k);
     if (search != Search::placed) break;
     const PlacedBodies& placed = adsorption.placed();
     const auto last = placed.size() - 1;

@@ -13,21 +13,10 @@
 #include "packstone/core/version.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
+#include "packstone/structure/standing.hpp"
 
 namespace packstone {
 namespace {
-
-bool is_round(ShapeKind shape) { return shape == ShapeKind::sphere || shape == ShapeKind::disk; }
-
-// Place in which bodies grown by half the least gap are disjoint: across walls they reach half the
-// gap outward.
-double room(const Cell& cell, double min_gap) {
-  double product = 1.0;
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
-    product *= cell.size[axis] + (cell.periodic[axis] ? 0.0 : min_gap);
-  }
-  return product;
-}
 
 // The common radius when all bodies are equal spheres or disks, else 0.
 double common_radius(const std::vector<OrderedBody>& bodies) {
@@ -43,52 +32,6 @@ double common_radius(const std::vector<OrderedBody>& bodies) {
     greatest = std::max(greatest, r);
   }
   return greatest - least <= 1e-12 * greatest ? least : 0.0;
-}
-
-std::string gap_words(double min_gap) {
-  return min_gap > 0.0 ? " with their gaps (packing.min_gap = " + number_text(min_gap) + ")" : "";
-}
-
-// Steiner's formula without the term of the mean curvature, which is positive: a convex body grown
-// by t has at least volume V + S t + 4/3 pi t^3, in the plane area A + P t + pi t^2 (there
-// exactly).
-void refuse_too_little_room(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
-  const double growth = 0.5 * recipe.min_gap;
-  const bool plane = recipe.cell.dimension == 2;
-  const double ball = volume(plane ? Body{Disk{growth}} : Body{Sphere{growth}});
-  double needed = 0.0;
-  for (const OrderedBody& ordered : bodies) {
-    needed += volume(ordered.body);
-    if (growth > 0.0) needed += growth * surface(ordered.body) + ball;
-  }
-  const double part = needed / room(recipe.cell, recipe.min_gap);
-  if (part <= 1.0 + 1e-12) return;
-  throw InvalidArgument(
-      "the bodies" + gap_words(recipe.min_gap) + " need " + number_text(part) +
-      " of the room in the cell; allowed is a sum of fractions and packing.min_gap "
-      "that needs at most 1");
-}
-
-void refuse_beyond_densest(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
-  const double radius = common_radius(bodies);
-  if (!(radius > 0.0)) return;
-  const bool plane = recipe.cell.dimension == 2;
-  const double grown = radius + 0.5 * recipe.min_gap;
-  const Body body = plane ? Body{Disk{grown}} : Body{Sphere{grown}};
-  const double part =
-      static_cast<double>(bodies.size()) * volume(body) / room(recipe.cell, recipe.min_gap);
-  const double densest = std::numbers::pi / std::sqrt(plane ? 12.0 : 18.0);
-  if (part <= densest * (1.0 + 1e-12)) return;
-  throw InvalidArgument(std::string("equal ") + (plane ? "disks" : "spheres") +
-                        gap_words(recipe.min_gap) + " would fill " + number_text(part) +
-                        " of the cell; allowed is at most " + number_text(densest) +
-                        ", the densest packing there is");
-}
-
-void refuse_impossible(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
-  if (bodies.empty()) return;
-  refuse_too_little_room(recipe, bodies);
-  refuse_beyond_densest(recipe, bodies);
 }
 
 RsaOptions rsa_options(const Recipe& recipe) {
@@ -270,15 +213,71 @@ void check_recipe(const Recipe& recipe) {
   }
 }
 
-// What `step` returns; its complaints name the file of the recipe.
+// The words for the first of `keys` that was read, or for the recipe as a whole.
+std::string place_of(const Recipe& recipe, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    if (const auto found = recipe.places.find(key); found != recipe.places.end()) {
+      return found->second + "; ";
+    }
+  }
+  return recipe.origin.empty() ? "" : recipe.origin + ": ";
+}
+
+std::string complaint(const Recipe& recipe, const InvalidGroup& problem) {
+  if (recipe.places.empty()) return place_of(recipe, {}) + problem.what();
+  const std::string group = "inclusions[" + std::to_string(problem.group()) + "]";
+  std::vector<std::string> keys;
+  // What a size follows from may stand in its place.
+  for (const GroupField field : {problem.field(), GroupField::fraction, GroupField::count}) {
+    if (field != GroupField::group) keys.push_back(group + "." + std::string(name(field)));
+    if (problem.field() == GroupField::group) break;
+  }
+  keys.push_back(group);
+  return place_of(recipe, keys) + problem.why();
+}
+
+// What `step` returns; its complaints say where in the recipe the fault lies.
 template <class Step>
 auto for_recipe(const Recipe& recipe, Step step) {
   try {
     return step();
+  } catch (const InvalidGroup& problem) {
+    throw InvalidArgument(complaint(recipe, problem));
   } catch (const InvalidArgument& problem) {
-    if (recipe.origin.empty()) throw;
-    throw InvalidArgument(recipe.origin + ": " + problem.what());
+    throw InvalidArgument(place_of(recipe, {}) + problem.what());
   }
+}
+
+// The bodies ordered, and the first one of a group of open count, can stand and have room.
+void refuse_impossible(const Recipe& recipe, const InclusionMix& mix) {
+  const std::vector<bool> redrawn = rsa_options(recipe).redraw_orientation;
+  check_standing(recipe.cell, mix.bodies, recipe.min_gap, redrawn);
+  for (std::size_t g = 0; g < recipe.groups.size(); ++g) {
+    if (!mix.open_count[g]) continue;
+    const auto first =
+        draw_open_group(recipe.cell, recipe.groups[g], static_cast<int>(g), 0, 1, recipe.seed);
+    check_standing(recipe.cell, first, recipe.min_gap, redrawn);
+  }
+  check_room(recipe.cell, mix.bodies, 0.0);
+}
+
+void refuse_too_large_gap(const Recipe& recipe, const InclusionMix& mix) {
+  if (recipe.min_gap == 0.0) return;
+  try {
+    check_room(recipe.cell, mix.bodies, recipe.min_gap);
+  } catch (const InvalidGroup& problem) {
+    throw InvalidArgument(place_of(recipe, {"packing.min_gap"}) + problem.why());
+  }
+}
+
+InclusionMix draw_mix(const Recipe& recipe) {
+  InclusionMix mix = for_recipe(recipe, [&] {
+    InclusionMix drawn = draw_inclusions(recipe.cell, recipe.groups, recipe.seed);
+    refuse_impossible(recipe, drawn);
+    return drawn;
+  });
+  refuse_too_large_gap(recipe, mix);
+  return mix;
 }
 
 }  // namespace
@@ -287,11 +286,7 @@ PackOutcome pack(const Recipe& recipe, RunContext run) {
   check_recipe(recipe);
   run = within_time(recipe, run);
   const std::clock_t start = std::clock();
-  const InclusionMix mix = for_recipe(recipe, [&] {
-    InclusionMix drawn = draw_inclusions(recipe.cell, recipe.groups, recipe.seed);
-    refuse_impossible(recipe, drawn.bodies);
-    return drawn;
-  });
+  const InclusionMix mix = draw_mix(recipe);
   RsaResult result = for_recipe(recipe, [&] { return run_rsa(recipe, mix, run); });
 
   PackOutcome outcome;

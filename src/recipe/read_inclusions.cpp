@@ -25,12 +25,6 @@ Keys known_keys() {
   return keys;
 }
 
-bool is_round(ShapeKind shape) { return shape == ShapeKind::sphere || shape == ShapeKind::disk; }
-
-bool is_rod(ShapeKind shape) {
-  return shape == ShapeKind::cylinder || shape == ShapeKind::spherocylinder;
-}
-
 // The size keys that `shape` can have.
 Keys size_keys_of(ShapeKind shape) {
   Keys keys;
@@ -282,6 +276,18 @@ std::optional<InclusionGroup> read_inclusions(const Entry& entry, int dimension,
   GroupReader(table, group, complaints).read();
   if (complaints.count() != before) return std::nullopt;
   return group;
+}
+
+void note_places(const Entry& entry, const Complaints& complaints,
+                 std::map<std::string, std::string>& places) {
+  const toml::table& table = *entry.node->as_table();
+  places[entry.name] = complaints.place(entry.node) + ": " + entry.name;
+  for (const auto& [key, value] : table) {
+    const bool is_size = holds(kSizeKeys, key.str());
+    // The last size key: of a rod's two the length, which is what is mostly too large.
+    places[joined(entry.name, is_size ? "size" : key.str())] =
+        complaints.place(&value) + ": " + quoted({&value, joined(entry.name, key.str())});
+  }
 }
 
 }  // namespace packstone::recipe

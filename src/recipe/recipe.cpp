@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "recipe/overrides.hpp"
 #include "recipe/read_inclusions.hpp"
@@ -118,6 +119,7 @@ void read_packing_table(const TableView& root, Recipe& order, Complaints& compla
   if (const Entry gap = table["min_gap"]) {
     order.min_gap =
         recipe::read_number(gap, recipe::not_negative_number(), complaints).value_or(0.0);
+    order.places[gap.name] = complaints.place(gap.node) + ": " + recipe::quoted(gap);
   }
   if (const Entry seed = table["seed"]) {
     order.seed = static_cast<std::uint64_t>(recipe::read_integer(seed, 0, complaints).value_or(1));
@@ -156,9 +158,9 @@ void check_sums(const Recipe& order, const Entry& list, Complaints& complaints) 
     const double before = sum;
     sum += group.fraction.value_or(0.0);
     if (before < 1.0 && sum >= 1.0) {
-      complaints.add(recipe::item(list, i).node,
-                     recipe::item(list, i).name + ".fraction makes the fractions sum to " +
-                         std::to_string(sum) + "; allowed is a sum < 1");
+      complaints.add(recipe::item(list, i).node, recipe::item(list, i).name +
+                                                     ".fraction makes the fractions sum to " +
+                                                     number_text(sum) + "; allowed is a sum < 1");
     }
     if (group.count || group.fraction || ++open == 1) continue;
     complaints.add(recipe::item(list, i).node,
@@ -183,6 +185,9 @@ void read_groups(const TableView& root, int dimension, Recipe& order, Complaints
     if (group) order.groups.push_back(std::move(*group));
   }
   if (complaints.count() != before) return;
+  for (std::size_t i = 0; i < tables->size(); ++i) {
+    recipe::note_places(recipe::item(list, i), complaints, order.places);
+  }
   settle_names(order.groups, list, complaints);
   check_sums(order, list, complaints);
 }

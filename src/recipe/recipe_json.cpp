@@ -92,8 +92,6 @@ Json orientation_json(const OrientationLaw& law, bool plane) {
                     law);
 }
 
-bool is_round(ShapeKind shape) { return shape == ShapeKind::sphere || shape == ShapeKind::disk; }
-
 void add_dimensions(Json& text, ShapeKind shape, const Vec3& d) {
   if (shape == ShapeKind::ellipsoid) {
     text["semi_axes"] = vector_json(d);

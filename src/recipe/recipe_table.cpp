@@ -83,19 +83,20 @@ std::string whole_text(const toml::node& node) {
 
 }  // namespace
 
+std::string Complaints::place(const toml::node* at) const {
+  if (at == nullptr || !at->source().path) return origin_;
+  const std::string& path = *at->source().path;
+  // The name of an override is the whole of its place; a file has lines.
+  const auto line = at->source().begin.line;
+  return path == origin_ && line > 0 ? path + ":" + std::to_string(line) : path;
+}
+
 void Complaints::add(const toml::node* at, const std::string& text) {
-  std::string place = origin_;
-  if (at != nullptr && at->source().path) {
-    place = *at->source().path;
-    // The name of an override is the whole of its place; a file has lines.
-    const auto line = at->source().begin.line;
-    if (place == origin_ && line > 0) place.append(":").append(std::to_string(line));
-  }
-  lines_.push_back(place + ": " + text);
+  lines_.push_back(place(at) + ": " + text);
 }
 
 void Complaints::not_allowed(const Entry& entry, const std::string& allowed) {
-  add(entry.node, entry.name + " = " + shown(*entry.node) + "; allowed is " + allowed);
+  add(entry.node, quoted(entry) + "; allowed is " + allowed);
 }
 
 void Complaints::missing(const toml::node* table, const std::string& key,
@@ -117,6 +118,8 @@ bool Range::holds(double x) const {
 Range any_number() { return {.text = "a finite number"}; }
 Range positive_number() { return {.text = "a number > 0", .lo = 0.0, .lo_excluded = true}; }
 Range not_negative_number() { return {.text = "a number >= 0", .lo = 0.0}; }
+
+std::string quoted(const Entry& entry) { return entry.name + " = " + shown(*entry.node); }
 
 TableView::TableView(const toml::table& table, std::string name,
                      std::vector<std::string_view> known, Complaints& complaints)

@@ -28,13 +28,15 @@ class Complaints {
  public:
   explicit Complaints(std::string origin) : origin_(std::move(origin)) {}
 
-  /// "file:line: text"; the file alone where the node has no place.
+  /// "file:line: text"
   void add(const toml::node* at, const std::string& text);
   /// "file:line: key = value; allowed is `allowed`"
   void not_allowed(const Entry& entry, const std::string& allowed);
   /// "file:line: key is missing; allowed is `allowed`", at the table that lacks it.
   void missing(const toml::node* table, const std::string& key, const std::string& allowed);
 
+  /// "file:line", the file alone where the node has no place.
+  [[nodiscard]] std::string place(const toml::node* at) const;
   [[nodiscard]] std::size_t count() const { return lines_.size(); }
   [[nodiscard]] const std::string& origin() const { return origin_; }
   /// Throws InvalidArgument with all lines, if there is any.
@@ -59,6 +61,9 @@ struct Range {
 [[nodiscard]] Range any_number();
 [[nodiscard]] Range positive_number();
 [[nodiscard]] Range not_negative_number();
+
+/// "key = value"
+[[nodiscard]] std::string quoted(const Entry& entry);
 
 /// The keys of one TOML table. Keys outside `known` are complained about on construction.
 class TableView {

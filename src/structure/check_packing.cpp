@@ -16,6 +16,7 @@
 #include "packstone/geometry/support.hpp"
 #include "packstone/spatial/hierarchical_grid.hpp"
 #include "packstone/spatial/separation.hpp"
+#include "packstone/structure/images.hpp"
 
 namespace packstone {
 namespace {
@@ -32,9 +33,6 @@ constexpr std::int64_t kReportBlocks = 128;
 constexpr std::int64_t kSamples = 64;
 // Coordinates near the far wall have this resolution, relative to the length of the cell.
 constexpr double kWallRoundoff = 4 * kUnitRoundoff;
-// Beyond this, own images alone are more than a check should be asked to look at.
-constexpr double kMaxPeriods = 500;
-constexpr double kMaxImages = 1e6;
 
 void take_census(const Packing& packing, Certificate& certificate) {
   std::vector<CompensatedSum> volumes(packing.groups.size());
@@ -69,18 +67,9 @@ bool inside_walls(const Cell& cell, const Inclusion& inclusion) {
 }
 
 void check_images(const Packing& packing, const std::vector<Vec3>& extents) {
-  const Cell& cell = packing.cell;
   for (std::size_t i = 0; i < extents.size(); ++i) {
-    double images = 1.0;
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
-      if (!cell.periodic[axis]) continue;
-      const double periods = 2.0 * extents[i][axis] / cell.size[axis];
-      images *= 2.0 * periods + 1.0;
-      if (periods <= kMaxPeriods && images <= kMaxImages) continue;
-      throw InvalidArgument("inclusion " + std::to_string(i) + " is " + std::to_string(periods) +
-                            " periods long along axis " + std::to_string(axis) + " and meets " +
-                            std::to_string(images) + " images of itself, allowed are 500 periods" +
-                            " and 1000000 images");
+    if (const auto reason = why_too_many_own_images(packing.cell, extents[i])) {
+      throw InvalidArgument("inclusion " + std::to_string(i) + ": " + *reason);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
 
 namespace packstone {
@@ -23,6 +24,21 @@ std::vector<std::array<int, 3>> images_in_cell(const Cell& cell, const Inclusion
     }
   }
   return images;
+}
+
+std::optional<std::string> why_too_many_own_images(const Cell& cell, const Vec3& half_extents) {
+  double images = 1.0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    if (!cell.periodic[axis]) continue;
+    const double periods = 2.0 * half_extents[axis] / cell.size[axis];
+    images *= 2.0 * periods + 1.0;
+    if (periods <= kMostPeriods && images <= kMostOwnImages) continue;
+    return "it is " + number_text(periods) + " periods long along " + "xyz"[axis] +
+           " and may meet " + number_text(std::floor(images), 9) +
+           " images of itself; allowed are " + number_text(kMostPeriods) + " periods and " +
+           number_text(kMostOwnImages, 7) + " images";
+  }
+  return std::nullopt;
 }
 
 }  // namespace packstone

@@ -10,27 +10,21 @@
 #include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/geometry/measures.hpp"
-#include "structure/mix/drawn_checks.hpp"
 #include "structure/mix/group_checks.hpp"
 #include "structure/mix/sentences.hpp"
 
 namespace packstone {
 namespace {
 
-using mix::check_bodies;
 using mix::check_group;
 using mix::check_ordered_fractions;
-using mix::check_total;
 using mix::derived_sentence;
 using mix::has_open_count;
 using mix::has_second_aspect;
-using mix::is_rod;
-using mix::is_round;
 using mix::kMostInclusions;
-using mix::label;
 using mix::lengths_text;
+using mix::Named;
 using mix::open_count_sentence;
-using mix::refuse;
 using mix::size_power;
 using std::numbers::pi;
 
@@ -175,7 +169,7 @@ void turn_bodies(std::vector<Body>& bodies, const InclusionGroup& group, int ind
     const auto turn = group.shape == ShapeKind::ellipse ? turn_in_plane : turn_in_space;
     turn(bodies, group, index, seed, first, correction);
   } catch (const InvalidArgument& problem) {
-    refuse(label(group, index), problem.what());
+    Named{group, index}.refuse(GroupField::orientation, "", problem.what());
   }
 }
 
@@ -198,6 +192,9 @@ constexpr std::size_t kEnoughForMean = 1000;
 // As many bodies as come nearest to the volume `wanted`, drawn until they pass it.
 std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::uint64_t seed,
                                    double wanted) {
+  const Named named{group, index};
+  const std::string ordered = number_text(group.fraction.value_or(0.0));
+  const std::string most = std::to_string(kMostInclusions);
   std::vector<Body> bodies;
   CompensatedSum sum;
   double before = 0.0;
@@ -205,8 +202,8 @@ std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::
   while (true) {
     const auto first = static_cast<std::int64_t>(bodies.size());
     if (first >= kMostInclusions) {
-      refuse(label(group, index), "fraction = " + number_text(*group.fraction) +
-                                      " is not reached by 100000000 inclusions of this size");
+      named.refuse(GroupField::fraction, ordered,
+                   "it is not reached by " + most + " inclusions of this size, the most allowed");
     }
     for (const Body& body : unturned_bodies(group, index, seed, first, batch)) {
       before = sum.value();
@@ -219,9 +216,9 @@ std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::
     // What the mean volume so far makes of the rest, and a little more.
     const double rest = (wanted - sum.value()) / (sum.value() / static_cast<double>(bodies.size()));
     if (bodies.size() >= kEnoughForMean && rest > 10.0 * static_cast<double>(kMostInclusions)) {
-      refuse(label(group, index), "fraction = " + number_text(*group.fraction) + " takes some " +
-                                      number_text(rest, 3) +
-                                      " inclusions of this size, allowed are 100000000");
+      named.refuse(GroupField::fraction, ordered,
+                   "it takes some " + number_text(rest, 3) +
+                       " inclusions of this size; allowed are " + most);
     }
     batch = static_cast<std::int64_t>(
         std::clamp(1.02 * rest + 16.0, 16.0, 64.0 * static_cast<double>(bodies.size()) + 16.0));
@@ -236,16 +233,30 @@ std::vector<Body> group_bodies(const Cell& cell, const InclusionGroup& group, in
                                          : bodies_of_volume(group, index, seed, wanted);
   if (bodies.empty()) {
     const Body one = unturned_bodies(group, index, seed, 0, 1).front();
-    refuse(label(group, index),
-           "fraction = " + number_text(*group.fraction) + " is less than half an inclusion, " +
-               "allowed with " + lengths_text({one}) +
-               " are fractions >= " + number_text(0.5 * volume(one) / volume(cell)));
+    Named{group, index}.refuse(
+        GroupField::fraction, number_text(*group.fraction),
+        "it is less than half an inclusion; allowed with " + lengths_text({one}) +
+            " are fractions >= " + number_text(0.5 * volume(one) / volume(cell)));
   }
   if (group.count && group.fraction) scale_to_volume(bodies, wanted);
   return bodies;
 }
 
 }  // namespace
+
+std::string_view name(GroupField field) noexcept {
+  constexpr std::string_view names[] = {"group", "shape",  "count",      "fraction",
+                                        "size",  "aspect", "orientation"};
+  return names[static_cast<int>(field)];
+}
+
+InvalidGroup::InvalidGroup(const std::string& label, int index, GroupField field,
+                           const std::string& value, const std::string& why)
+    : InvalidArgument((label.empty() ? "group " + std::to_string(index) : label) + ": " +
+                      (value.empty() ? "" : std::string(name(field)) + " = " + value + "; ") + why),
+      group_(index),
+      field_(field),
+      why_(why) {}
 
 int symmetry_axis(const Vec3& s) noexcept {
   const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(a, b); };
@@ -274,10 +285,8 @@ InclusionMix draw_inclusions(const Cell& cell, const std::vector<InclusionGroup>
     const double reached = total_volume(bodies) / volume(cell);
     mix.derived.push_back(derived_sentence(group, g, bodies, reached));
     turn_bodies(bodies, group, g, seed, 0, Correction::exact);
-    check_bodies(cell, group, g, bodies);
     for (const Body& body : bodies) mix.bodies.push_back({body, g});
   }
-  check_total(cell, mix.bodies);
   return mix;
 }
 
@@ -287,11 +296,11 @@ std::vector<OrderedBody> draw_open_group(const Cell& cell, const InclusionGroup&
   check_cell(cell);
   check_group(cell, group, group_index);
   if (!has_open_count(group)) {
-    refuse(label(group, group_index), "count or fraction is given, allowed here is a size alone");
+    Named{group, group_index}.refuse(GroupField::group, "",
+                                     "count or fraction is given, allowed here is a size alone");
   }
   std::vector<Body> bodies = unturned_bodies(group, group_index, seed, first, count);
   turn_bodies(bodies, group, group_index, seed, first, Correction::none);
-  check_bodies(cell, group, group_index, bodies);
   std::vector<OrderedBody> ordered;
   ordered.reserve(bodies.size());
   for (const Body& body : bodies) ordered.push_back({body, group_index});

@@ -102,7 +102,8 @@ struct RsaResult {
 using BodySource = std::function<OrderedBody(std::int64_t k)>;
 
 /// Fills `cell` from `source`, body after body in the order of the source, until one is proven to
-/// fit nowhere, or given up. A body that does not fit ends the run; nothing is skipped.
+/// fit nowhere, or given up. A body that does not fit ends the run; nothing is skipped. One that
+/// could not stand in the cell even alone does so too, unless it is the first: that is refused.
 [[nodiscard]] RsaResult rsa_fill(const Cell& cell, const BodySource& source,
                                  const RsaOptions& options = {}, RunContext run = {});
 

@@ -77,6 +77,16 @@ enum class ShapeKind { sphere, ellipsoid, cylinder, spherocylinder, disk, ellips
   return kind == ShapeKind::disk || kind == ShapeKind::ellipse ? 2 : 3;
 }
 
+/// Looks the same from all sides.
+[[nodiscard]] constexpr bool is_round(ShapeKind kind) noexcept {
+  return kind == ShapeKind::sphere || kind == ShapeKind::disk;
+}
+
+/// Has a radius and a length.
+[[nodiscard]] constexpr bool is_rod(ShapeKind kind) noexcept {
+  return kind == ShapeKind::cylinder || kind == ShapeKind::spherocylinder;
+}
+
 /// "sphere", "ellipsoid", ...: the word used in recipes and packing files.
 [[nodiscard]] constexpr std::string_view name(ShapeKind kind) noexcept {
   constexpr std::string_view names[] = {"sphere",         "ellipsoid", "cylinder",

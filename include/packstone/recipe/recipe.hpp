@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,6 +47,10 @@ struct Recipe {
   std::uint64_t seed = 1;            ///< Key of every random stream. A file holds up to 2^63 - 1.
   std::optional<double> time_limit;  ///< Then keep what is valid [s]. > 0; absent: none.
   RsaSettings rsa;
+  /// Where what was ordered stands, for messages: by key ("inclusions[0].count", "packing.min_gap")
+  /// the words "fibers.toml:7: inclusions[0].count = 20". The size of a group stands under
+  /// "inclusions[0].size", whichever key gives it. Empty for a recipe that was not read.
+  std::map<std::string, std::string> places;
 };
 
 /// Changes a recipe before it is read: "packing.seed=7", "inclusions.fibers.count=20",

@@ -1,9 +1,13 @@
 #pragma once
 
 /// @file
-/// Which periodic images of an inclusion reach into the cell.
+/// Which periodic images of an inclusion matter: those that reach into the cell, and those that it
+/// may meet itself.
 
 #include <array>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "packstone/structure/packing.hpp"
@@ -14,5 +18,36 @@ namespace packstone {
 /// order; {0, 0, 0} is always among them. Bodies longer than the cell have many.
 [[nodiscard]] std::vector<std::array<int, 3>> images_in_cell(const Cell& cell,
                                                              const Inclusion& inclusion);
+
+/// Bodies longer than this many periods, or with boxes that meet more images of their own, are
+/// refused: to look at those alone would be long work.
+inline constexpr double kMostPeriods = 500;
+inline constexpr double kMostOwnImages = 1e6;
+
+/// Why a body of these half extents [L] is refused, a sentence about "it"; nothing if it is not.
+[[nodiscard]] std::optional<std::string> why_too_many_own_images(const Cell& cell,
+                                                                 const Vec3& half_extents);
+
+/// Calls visit(image) for one of each pair +-image of own images, in periods along each axis, whose
+/// box of half edges `half_extents` may come within `gap` of that of the body itself, until it
+/// returns false. Returns whether all visits returned true.
+template <class Visit>
+bool for_own_images(const Cell& cell, const Vec3& half_extents, double gap, Visit&& visit) {
+  constexpr double kRounding = 1.0 + 1e-12;
+  std::array<int, 3> last{0, 0, 0};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    if (!cell.periodic[axis]) continue;
+    const double reach = (2.0 * half_extents[axis] + gap) * kRounding;
+    last[axis] = static_cast<int>(std::floor(reach / cell.size[axis]));
+  }
+  for (int z = 0; z <= last[2]; ++z) {
+    for (int y = z > 0 ? -last[1] : 0; y <= last[1]; ++y) {
+      for (int x = z > 0 || y > 0 ? -last[0] : 1; x <= last[0]; ++x) {
+        if (!visit(std::array<int, 3>{x, y, z})) return false;
+      }
+    }
+  }
+  return true;
+}
 
 }  // namespace packstone

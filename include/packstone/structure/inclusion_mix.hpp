@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "packstone/core/cell.hpp"
+#include "packstone/core/error.hpp"
 #include "packstone/geometry/body.hpp"
 #include "packstone/structure/distribution.hpp"
 #include "packstone/structure/orientation_law.hpp"
@@ -51,6 +53,31 @@ struct InclusionGroup {
   OrientationLaw orientation = RandomOrientation{};
 };
 
+/// What of an InclusionGroup is at fault.
+enum class GroupField { group, shape, count, fraction, size, aspect, orientation };
+
+/// "shape", "count", ...: the words of recipes.
+[[nodiscard]] std::string_view name(GroupField field) noexcept;
+
+/// A group that orders what cannot be. Carries whose it is, so that who knows where the group was
+/// written can say so.
+class InvalidGroup : public InvalidArgument {
+ public:
+  /// `label`: the start of what(), "group <index>" when empty. `value` of the field, or empty.
+  InvalidGroup(const std::string& label, int index, GroupField field, const std::string& value,
+               const std::string& why);
+
+  [[nodiscard]] int group() const noexcept { return group_; }
+  [[nodiscard]] GroupField field() const noexcept { return field_; }
+  /// what() without label, field and value.
+  [[nodiscard]] const std::string& why() const noexcept { return why_; }
+
+ private:
+  int group_;
+  GroupField field_;
+  std::string why_;
+};
+
 /// One body to place.
 struct OrderedBody {
   Body body;
@@ -77,19 +104,14 @@ struct InclusionMix {
 /// Body i of group g takes the numbers of (seed, g, i): changing another group does not change it.
 /// Tensor laws are corrected over the group, see draw_axes().
 ///
-/// Errors:  throws InvalidArgument, before any body is drawn where that can be known, when
+/// Errors:  throws InvalidGroup, before any body is drawn where that can be known, when
 ///            - a group is under- or over-determined, its shape is not of the dimension of the
-///            cell,
-///              or its measure not one of its shape;
+///              cell, or its measure not one of its shape;
 ///            - a law gives values that are not > 0, or a law other than that of size counts
-///            volume;
-///            - the volumes sum to the cell's or more; or all bodies are equal spheres above
-///              pi / sqrt(18) (T. C. Hales, Ann. Math. 162 (2005) 1065-1185), or congruent disks or
-///              ellipses above pi / sqrt(12) (L. Fejes Toth, Acta Sci. Math. Szeged 12 A (1950)
-///              62-67);
-///            - a body, turned as drawn, is wider than the cell across a wall, or overlaps its own
-///              periodic image wherever it stands;
+///              volume;
+///            - the ordered fractions sum to 1 or more;
 ///            - one inclusion is more than twice the ordered fraction, or 10^8 do not reach it.
+///          Whether the cell can hold what was drawn is another question: standing.hpp.
 /// Cost:    1 to 2 us a body.
 [[nodiscard]] InclusionMix draw_inclusions(const Cell& cell,
                                            const std::vector<InclusionGroup>& groups,

@@ -1,23 +1,16 @@
 #pragma once
 
 /// @file
-/// May a body stand in the cell at all: inside the walls, and clear of its own images?
-
-#include <optional>
-#include <string>
+/// What trials ask of a center and of a turned body: inside the walls, and clear of own images?
 
 #include "generate/rsa/placed_bodies.hpp"
 #include "packstone/core/cell.hpp"
+#include "packstone/structure/standing.hpp"
 
 namespace packstone::rsa {
 
-/// Centers that a box of half edges `half_extents` may have: [0, size] along periodic axes, what
-/// the walls leave along the others. Empty (lo > hi along an axis) where the walls leave nothing.
-struct CenterBox {
-  Vec3 lo;
-  Vec3 hi;
-};
-[[nodiscard]] CenterBox centers_inside_walls(const Cell& cell, const Vec3& half_extents) noexcept;
+using packstone::CenterBox;
+using packstone::centers_inside_walls;
 
 [[nodiscard]] bool is_inside(const CenterBox& box, const Vec3& center, int dimension) noexcept;
 
@@ -26,10 +19,5 @@ struct CenterBox {
 
 /// Is the body proven not to: does it come within `min_gap` of an own image?
 [[nodiscard]] bool meets_own_image(const Cell& cell, const Candidate& candidate, double min_gap);
-
-/// Why the body cannot stand in the empty cell; nothing if it can. `any_turn`: it may be turned at
-/// will, so only what holds for every orientation counts.
-[[nodiscard]] std::optional<std::string> why_it_cannot_stand(const Cell& cell, const Body& body,
-                                                             double min_gap, bool any_turn);
 
 }  // namespace packstone::rsa

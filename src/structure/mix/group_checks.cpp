@@ -26,7 +26,8 @@ void check_aspect_law(const Distribution& law, const std::string& what) {
   }
 }
 
-void check_dimensions(const InclusionGroup& group, const std::string& what) {
+void check_dimensions(const Named& named) {
+  const InclusionGroup& group = named.group;
   const std::size_t count = group.shape == ShapeKind::ellipsoid ? 3 : is_round(group.shape) ? 1 : 2;
   for (std::size_t i = 0; i < count; ++i) {
     const double value = (*group.dimensions)[i];
@@ -34,79 +35,85 @@ void check_dimensions(const InclusionGroup& group, const std::string& what) {
     const std::string field = is_round(group.shape) || (is_rod(group.shape) && i == 0) ? "radius"
                               : is_rod(group.shape) ? "half length"
                                                     : "semi_axes[" + std::to_string(i) + "]";
-    refuse(what, field + " = " + number_text(value) + ", allowed are finite numbers > 0");
+    named.refuse(GroupField::size, "",
+                 field + " = " + number_text(value) + ", allowed are finite numbers > 0");
   }
 }
 
-void check_measure(const InclusionGroup& group, const std::string& what) {
+void check_measure(const Named& named) {
+  const InclusionGroup& group = named.group;
   const bool allowed = group.measure == SizeMeasure::radius
                            ? is_round(group.shape) || is_rod(group.shape)
                        : group.measure == SizeMeasure::half_length ? is_rod(group.shape)
                                                                    : true;
   if (allowed) return;
-  refuse(what, std::string(group.measure == SizeMeasure::radius ? "a radius" : "a length") +
+  named.refuse(GroupField::size, "",
+               std::string(group.measure == SizeMeasure::radius ? "a radius" : "a length") +
                    " does not fix the size of the shape " + std::string(name(group.shape)) +
                    ", allowed are volume, equivalent size" +
                    (is_round(group.shape) ? " and radius" : " and semi-axes"));
 }
 
-void check_sizes(const InclusionGroup& group, const std::string& what) {
-  if (group.dimensions) {
-    check_dimensions(group, what);
-    return;
-  }
-  check_measure(group, what);
-  check_positive_law(group.size, what + ": size", size_power(group));
-  if (is_round(group.shape)) return;
-  check_aspect_law(group.aspect, what + ": aspect");
-  if (has_second_aspect(group)) {
-    check_aspect_law(group.aspect_second, what + ": aspect (second of the pair)");
+// What `check` throws becomes a complaint about the field.
+template <class Check>
+void for_field(const Named& named, GroupField field, Check check) {
+  try {
+    check();
+  } catch (const InvalidArgument& problem) {
+    named.refuse(field, "", problem.what());
   }
 }
 
-void check_determined(const InclusionGroup& group, const std::string& what) {
+void check_sizes(const Named& named) {
+  const InclusionGroup& group = named.group;
+  if (group.dimensions) return check_dimensions(named);
+  check_measure(named);
+  for_field(named, GroupField::size,
+            [&] { check_positive_law(group.size, "size", size_power(group)); });
+  if (is_round(group.shape)) return;
+  for_field(named, GroupField::aspect, [&] {
+    check_aspect_law(group.aspect, "aspect");
+    if (!has_second_aspect(group)) return;
+    check_aspect_law(group.aspect_second, "aspect (second of the pair)");
+  });
+}
+
+void check_determined(const Named& named) {
+  const InclusionGroup& group = named.group;
   if (group.count && *group.count < 1) {
-    refuse(what, "count = " + std::to_string(*group.count) + ", allowed are counts >= 1");
+    named.refuse(GroupField::count, std::to_string(*group.count), "allowed are counts >= 1");
   }
   if (group.count && *group.count > kMostInclusions) {
-    refuse(what, "count = " + std::to_string(*group.count) + ", allowed are counts <= 100000000");
+    named.refuse(GroupField::count, std::to_string(*group.count),
+                 "allowed are counts <= " + std::to_string(kMostInclusions));
   }
   if (group.fraction && !(*group.fraction > 0.0 && *group.fraction < 1.0)) {
-    refuse(what,
-           "fraction = " + number_text(*group.fraction) + ", allowed are fractions > 0 and < 1");
+    named.refuse(GroupField::fraction, number_text(*group.fraction),
+                 "allowed are fractions > 0 and < 1");
   }
   const bool absolute = has_absolute_size(group);
   if (group.count && group.fraction && absolute) {
-    refuse(what, "count, fraction and an absolute size are given, allowed are two of the three");
+    named.refuse(GroupField::size, "",
+                 "count, fraction and an absolute size are given, allowed are two of the three");
   }
   if (group.count.has_value() != group.fraction.has_value() && !absolute) {
-    refuse(what, std::string(group.count ? "count" : "fraction") +
+    named.refuse(GroupField::group, "",
+                 std::string(group.count ? "count" : "fraction") +
                      " alone does not fix the inclusions, give " +
                      (group.count ? "fraction" : "count") + " or an absolute size too");
   }
   if (has_open_count(group) && !absolute) {
-    refuse(what,
-           "nothing says how many inclusions there are and how large, give two of count, "
-           "fraction and size");
+    named.refuse(GroupField::group, "",
+                 "nothing says how many inclusions there are and how large, give two of count, "
+                 "fraction and size");
   }
 }
 
 }  // namespace
 
-std::string label(const InclusionGroup& group, int index) {
-  return group.name.empty() ? "group " + std::to_string(index) : "group '" + group.name + "'";
-}
-
-[[noreturn]] void refuse(const std::string& what, const std::string& why) {
-  throw InvalidArgument(what + ": " + why);
-}
-
-bool is_rod(ShapeKind shape) noexcept {
-  return shape == ShapeKind::cylinder || shape == ShapeKind::spherocylinder;
-}
-
-bool is_round(ShapeKind shape) noexcept {
-  return shape == ShapeKind::sphere || shape == ShapeKind::disk;
+void Named::refuse(GroupField field, const std::string& value, const std::string& why) const {
+  throw InvalidGroup(group.name.empty() ? "" : "group '" + group.name + "'", index, field, value,
+                     why);
 }
 
 bool has_second_aspect(const InclusionGroup& group) noexcept {
@@ -122,17 +129,28 @@ int size_power(const InclusionGroup& group) noexcept {
 }
 
 void check_group(const Cell& cell, const InclusionGroup& group, int index) {
-  const std::string what = label(group, index);
+  const Named named{group, index};
   if (dimension(group.shape) != cell.dimension) {
-    refuse(what, "the shape " + std::string(name(group.shape)) + " does not belong in a " +
-                     std::to_string(cell.dimension) + "D cell, allowed are " +
+    named.refuse(GroupField::shape, std::string(name(group.shape)),
+                 "allowed in a " + std::to_string(cell.dimension) + "D cell are " +
                      (cell.dimension == 2 ? "disk and ellipse"
                                           : "sphere, ellipsoid, cylinder and spherocylinder"));
   }
-  check_determined(group, what);
-  check_sizes(group, what);
-  if (!is_round(group.shape)) {
-    check_orientation_law(group.orientation, what + ": orientation", cell.dimension);
+  check_determined(named);
+  check_sizes(named);
+  if (is_round(group.shape)) return;
+  for_field(named, GroupField::orientation,
+            [&] { check_orientation_law(group.orientation, "orientation", cell.dimension); });
+}
+
+void check_ordered_fractions(const std::vector<InclusionGroup>& groups) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    sum += groups[i].fraction.value_or(0.0);
+    if (sum < 1.0) continue;
+    Named{groups[i], static_cast<int>(i)}.refuse(
+        GroupField::fraction, number_text(*groups[i].fraction),
+        "it makes the fractions sum to " + number_text(sum) + "; allowed are sums < 1");
   }
 }
 

@@ -4,6 +4,7 @@
 /// What one group orders, and whether that can be understood.
 
 #include <string>
+#include <vector>
 
 #include "packstone/core/cell.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
@@ -13,14 +14,15 @@ namespace packstone::mix {
 /// More are refused.
 inline constexpr std::int64_t kMostInclusions = 100'000'000;
 
-/// "group 'fibers'", or "group 2" where it has no name: the start of messages.
-[[nodiscard]] std::string label(const InclusionGroup& group, int index);
+/// A group with its index: what messages about it start from.
+struct Named {
+  const InclusionGroup& group;
+  int index;
 
-/// Throws InvalidArgument "what: why".
-[[noreturn]] void refuse(const std::string& what, const std::string& why);
-
-[[nodiscard]] bool is_rod(ShapeKind shape) noexcept;
-[[nodiscard]] bool is_round(ShapeKind shape) noexcept;
+  /// Throws InvalidGroup.
+  [[noreturn]] void refuse(GroupField field, const std::string& value,
+                           const std::string& why) const;
+};
 
 /// Does the shape have a second aspect of its own law?
 [[nodiscard]] bool has_second_aspect(const InclusionGroup& group) noexcept;
@@ -31,8 +33,11 @@ inline constexpr std::int64_t kMostInclusions = 100'000'000;
 /// The power of the size that volume grows with.
 [[nodiscard]] int size_power(const InclusionGroup& group) noexcept;
 
-/// Throws InvalidArgument when the group is of the wrong dimension, under- or over-determined, or
-/// has a law that gives values that are not > 0.
+/// Throws InvalidGroup when the group is of the wrong dimension, under- or over-determined, or has
+/// a law that gives values that are not > 0.
 void check_group(const Cell& cell, const InclusionGroup& group, int index);
+
+/// Throws InvalidGroup when the fractions ordered sum to 1 or more.
+void check_ordered_fractions(const std::vector<InclusionGroup>& groups);
 
 }  // namespace packstone::mix

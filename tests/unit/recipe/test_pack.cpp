@@ -149,6 +149,54 @@ TEST_CASE("what cannot be is refused before any work") {
   CHECK_THROWS_WITH(pack(negative), Catch::Contains("min_gap = -1"));
 }
 
+TEST_CASE("what cannot be is named by file, line, key and value") {
+  const auto refused = [](const std::string& groups, const std::string& message) {
+    CHECK_THROWS_WITH(pack(order(groups)), Catch::Contains(message));
+  };
+  const std::string ball = "[[inclusions]]\nshape = \"sphere\"\n";
+  const std::string rod = "[[inclusions]]\nname = \"rods\"\nshape = \"cylinder\"\n";
+  refused(ball + "count = 1\nradius = 0.6\n",
+          "test.toml:6: inclusions[0].radius = 0.6; inclusion 0 cannot stand in the cell: with "
+          "diameter 1.2 it ");
+  refused(ball + "diameter = 1.2\n", "test.toml:5: inclusions[0].diameter = 1.2; inclusion 0");
+  refused(rod + "diameter = 0.1\nlength = 1.2\ncount = 3\norientation = { axis = [0, 0, 1] }\n",
+          "test.toml:7: inclusions[0].length = 1.2; inclusion 0 cannot stand");
+  // The size follows from the fraction.
+  refused(rod + "aspect = 1e6\ncount = 3\nfraction = 0.01\n",
+          "test.toml:8: inclusions[0].fraction = 0.01; inclusion 0 cannot stand");
+  refused(ball + "count = 200000000\nfraction = 0.1\n",
+          "test.toml:5: inclusions[0].count = 200000000; allowed are counts <= 100000000");
+  refused(ball + "radius = 1e-6\nfraction = 0.1\n",
+          "test.toml:6: inclusions[0].fraction = 0.1; it takes some 2.39e+16 inclusions");
+  refused(ball + "radius = 0.3\nfraction = 0.01\n",
+          "test.toml:6: inclusions[0].fraction = 0.01; it is less than half an inclusion");
+  // The group that takes most of the room.
+  refused(kMixture + ball + "count = 300\nradius = 0.1\n",
+          "test.toml:18: inclusions[2].count = 300; all inclusions together need 1.39664");
+  refused(kMixture + "[packing]\nmin_gap = 0.4\n",
+          "test.toml:17: packing.min_gap = 0.4; all inclusions together with their gaps");
+  refused(rod + "diameter = 0.1\nlength = 0.2\ncount = 2\n" +
+              "orientation = { tensor = [[0.5, 0, 0], [0, 0.3, 0], [0, 0, 0.2]] }\n",
+          "test.toml:9: inclusions[0].orientation = { tensor");
+
+  Recipe made;  // in code: no line, but a group
+  made.groups.resize(1);
+  made.groups[0].count = 0;
+  CHECK_THROWS_WITH(pack(made), Catch::Contains("group 0: count = 0; allowed"));
+  CHECK_THROWS_WITH(
+      pack(recipe_from_toml("[cell]\nsize = [1, 1, 1]\n" + ball + "count = 1\nradius = 0.4\n",
+                            "test.toml", {"inclusions[0].radius=0.6"})),
+      Catch::StartsWith("--set inclusions[0].radius=0.6: inclusions[0].radius = 0.6; inclusion"));
+}
+
+TEST_CASE("bodies that may be turned are not refused as they were drawn") {
+  const std::string slab = "[1, 1, 0.25]\nperiodic = [true, true, false]";
+  const std::string rods =
+      "[[inclusions]]\nshape = \"spherocylinder\"\naspect = 12\ncount = 20\nfraction = 0.04\n";
+  CHECK_THROWS_WITH(pack(order(rods, slab)), Catch::Contains("wide along z"));
+  CHECK(pack(order(rods + "[packing.rsa]\nredraw_orientations = true\n", slab)).target_reached);
+}
+
 TEST_CASE("bounds that refuse do not refuse what is possible") {
   // One sphere as wide as the cell and a hair less, between walls.
   const std::string tight = "[[inclusions]]\nshape = \"sphere\"\ncount = 1\nradius = 0.4999\n";

@@ -240,7 +240,7 @@ TEST_CASE("what cannot be checked is refused with a reason") {
   const Packing pair = spheres(Cell{}, {{0.3, 0.5, 0.5}}, 0.1);
   CHECK_THROWS_WITH(check_packing(pair, {.min_gap = -1.0}), Catch::Contains("min_gap = -1"));
   CHECK_THROWS_WITH(check_packing(spheres(Cell{}, {{0.3, 0.5, 0.5}}, 1e5)),
-                    Catch::Contains("inclusion 0 is 200000"));
+                    Catch::Contains("inclusion 0: it is 200000 periods"));
   Packing long_needle = spheres(cell_2d(1, 1), {}, 1.0);
   long_needle.inclusions.push_back({{0.5, 0.5, 0.0}, Ellipse{{1e4, 1e-3}, 0.0}, 0});
   CHECK_THROWS_AS(check_packing(long_needle), InvalidArgument);

@@ -317,7 +317,7 @@ TEST_CASE("groups that say too much or too little are refused") {
   refused(kCube, {group}, "allowed are two of the three");
   group.fraction.reset();
   group.count = 0;
-  refused(kCube, {group}, "count = 0, allowed are counts >= 1");
+  refused(kCube, {group}, "count = 0; allowed are counts >= 1");
   group.name.clear();
   refused(kCube, {beads_of_radius(0.1), group}, "group 1: count = 0");
   refused(kCube, {ordered(ShapeKind::sphere, 5, 1.2)}, "fraction = 1.2");
@@ -326,9 +326,10 @@ TEST_CASE("groups that say too much or too little are refused") {
 }
 
 TEST_CASE("shapes, measures and laws that do not fit are refused") {
-  refused(kCube, {ordered(ShapeKind::disk, 5, 0.1)}, "shape disk does not belong in a 3D cell");
+  refused(kCube, {ordered(ShapeKind::disk, 5, 0.1)},
+          "shape = disk; allowed in a 3D cell are sphere");
   refused(kSquare, {ordered(ShapeKind::sphere, 5, 0.1)},
-          "does not belong in a 2D cell, allowed are disk");
+          "shape = sphere; allowed in a 2D cell are disk");
   InclusionGroup group = ordered(ShapeKind::ellipsoid, 5, 0.1);
   group.fraction.reset();
   group.measure = SizeMeasure::radius;
@@ -362,64 +363,27 @@ TEST_CASE("shapes, measures and laws that do not fit are refused") {
                     Catch::Contains("allowed here is a size alone"));
 }
 
-TEST_CASE("fractions above a proven bound are refused") {
+TEST_CASE("fractions that no number of inclusions comes near are refused") {
   refused(kCube, {ordered(ShapeKind::cylinder, 9, 0.5), ordered(ShapeKind::sphere, 9, 0.5)},
-          "fractions of the groups sum to 1");
-  refused(kCube, {ordered(ShapeKind::sphere, 999, 0.741)}, "allowed are fractions <= 0.74048");
-  CHECK_NOTHROW(draw_inclusions(kCube, {ordered(ShapeKind::sphere, 999, 0.74)}, 1));
-  refused(kSquare, {ordered(ShapeKind::disk, 999, 0.907)}, "allowed are fractions <= 0.9069");
-  CHECK_NOTHROW(draw_inclusions(kSquare, {ordered(ShapeKind::disk, 999, 0.9068)}, 1));
-  // Unequal spheres may be denser.
-  InclusionGroup group = ordered(ShapeKind::sphere, 999, 0.76);
-  group.size.law = UniformLaw{0.5, 1};
-  CHECK_NOTHROW(draw_inclusions(kCube, {group}, 1));
-  InclusionGroup many = beads_of_radius(0.1);
-  many.count = 300;
-  refused(kCube, {many}, "ask for fraction 1.2566");
+          "fraction = 0.5; it makes the fractions sum to 1");
   InclusionGroup large = beads_of_radius(0.3);
   large.fraction = 0.05;
   refused(kCube, {large},
-          "is less than half an inclusion, allowed with diameter 0.6 are fractions >= 0.0565");
+          "it is less than half an inclusion; allowed with diameter 0.6 are fractions >= 0.0565");
 }
 
-TEST_CASE("inclusions that the cell cannot hold as they are turned are refused") {
-  InclusionGroup fiber = group_of(ShapeKind::cylinder, "fibers");
-  fiber.count = 1;
-  fiber.dimensions = Vec3{0.05, 0.6, 0};
-  fiber.orientation = AlignedOrientation{{0, 0, 1}};
-  const Cell walled{3, {1, 1, 1}, {true, true, false}};
-  refused(walled, {fiber},
-          "group 'fibers': inclusion 0: diameter 0.1 and length 1.2, turned as drawn, "
-          "is 1.2 wide along z, allowed between the walls is 1");
-  refused(kCube, {fiber}, "overlaps its own periodic image [0, 0, 1]");
-  fiber.orientation = AlignedOrientation{{1, 0.3, 0}};
-  CHECK_NOTHROW(draw_inclusions(walled, {fiber}, 1));
-  fiber.orientation = AlignedOrientation{{1, 1, 0}};
-  fiber.dimensions->y = 1.5;
-  refused(walled, {fiber}, "overlaps its own periodic image [1, 1, 0]");
-
-  const auto alone = [](ShapeKind shape, const Vec3& dimensions, const OrientationLaw& law) {
-    InclusionGroup group = group_of(shape);
-    group.count = 1;
-    group.dimensions = dimensions;
-    group.orientation = law;
-    return group;
-  };
-  const Cell flat = cell_2d(1, 0.5);
-  CHECK_NOTHROW(draw_inclusions(flat, {alone(ShapeKind::disk, {0.25, 0, 0}, {})}, 1));
-  refused(flat, {alone(ShapeKind::disk, {0.2501, 0, 0}, {})}, "its own periodic image [0, 1, 0]");
-  const AngleOrientation upright{{ConstantLaw{90}}};
-  refused(flat, {alone(ShapeKind::ellipse, {0.3, 0.1, 0}, upright)}, "its own periodic image");
-  CHECK_NOTHROW(
-      draw_inclusions(flat, {alone(ShapeKind::ellipse, {0.3, 0.1, 0}, AngleOrientation{})}, 1));
-  const AlignedOrientation along_x{{1, 0, 0}};
-  const Cell slab{3, {1, 2, 2}, {true, true, true}};
-  refused(slab, {alone(ShapeKind::ellipsoid, {0.6, 0.1, 0.1}, along_x)}, "its own periodic image");
-  CHECK_NOTHROW(draw_inclusions(slab, {alone(ShapeKind::ellipsoid, {0.49, 0.1, 0.1}, along_x)}, 1));
-  refused(slab, {alone(ShapeKind::spherocylinder, {0.1, 0.41, 0}, along_x)},
-          "its own periodic image");
-  CHECK_NOTHROW(
-      draw_inclusions(slab, {alone(ShapeKind::spherocylinder, {0.1, 0.39, 0}, along_x)}, 1));
+TEST_CASE("what is refused says whose it is and which field") {
+  InclusionGroup group = ordered(ShapeKind::sphere, 5, 1.2);
+  try {
+    static_cast<void>(draw_inclusions(kCube, {ordered(ShapeKind::sphere, 5, 0.1), group}, 1));
+    FAIL("accepted");
+  } catch (const InvalidGroup& problem) {
+    CHECK(problem.group() == 1);
+    CHECK(problem.field() == GroupField::fraction);
+    CHECK(problem.why() == "allowed are fractions > 0 and < 1");
+    CHECK(std::string(problem.what()) == "group 'beads': fraction = 1.2; " + problem.why());
+  }
+  CHECK(std::string(InvalidGroup("", 2, GroupField::size, "", "why").what()) == "group 2: why");
 }
 
 }  // namespace
