@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "output_file.hpp"
@@ -22,18 +25,29 @@ struct CheckArguments {
   bool json = false;
 };
 
+std::optional<WallCrossing> deepest(const std::vector<WallCrossing>& crossings) {
+  const auto found = std::max_element(
+      crossings.begin(), crossings.end(),
+      [](const WallCrossing& a, const WallCrossing& b) { return a.depth < b.depth; });
+  return found == crossings.end() ? std::nullopt : std::optional(*found);
+}
+
 int run_check(const CheckArguments& arguments) {
-  if (!arguments.witness.empty()) check_output_folder(arguments.witness);
+  if (!arguments.witness.empty()) check_output_path(arguments.witness);
   const Packing packing = read_packing(arguments.packing);
   const RunContext run = RunContext{}.threads(arguments.threads);
   const Certificate certificate = check_packing(packing, arguments.options, run);
   if (!arguments.witness.empty()) {
     write_witnesses(arguments.witness, separating_directions(packing, arguments.options, run));
   }
+  const std::optional<WallCrossing> crossing =
+      certificate.outside_walls > 0 ? deepest(wall_crossings(packing)) : std::nullopt;
   if (arguments.json) {
-    fmt::print("{}\n", certificate_json(certificate).dump(2));
+    auto text = certificate_json(certificate);
+    text["deepest_crossing"] = crossing_json(crossing);
+    fmt::print("{}\n", text.dump(2));
   } else {
-    fmt::print("{}", certificate_text(certificate));
+    fmt::print("{}", certificate_text(certificate, crossing));
   }
   return certificate.passed() ? kDone : kHonestNo;
 }

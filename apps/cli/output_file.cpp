@@ -1,24 +1,20 @@
 #include "output_file.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "packstone/core/error.hpp"
+#include "packstone/io/packing_file.hpp"
 
 namespace packstone::cli {
 
-void check_output_folder(const std::filesystem::path& path) {
+void check_output_path(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   if (fs::is_directory(path)) throw FileError(path.string() + " is a folder, not a file");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder)) {
     throw FileError("cannot write " + path.string() + ": there is no folder " + folder.string());
   }
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw FileError("cannot write " + path.string() + ": no permission to write into " +
-                    folder.string());
-  }
+  check_writable(path);
 }
 
 void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings) {
@@ -30,7 +26,7 @@ void check_output_file(const std::filesystem::path& path, const std::vector<std:
                           (ending.empty() ? "no ending" : "unknown ending " + ending) +
                           "; allowed is " + (endings.size() > 1 ? "one of " : "") + listed);
   }
-  check_output_folder(path);
+  check_output_path(path);
 }
 
 }  // namespace packstone::cli

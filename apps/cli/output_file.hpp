@@ -10,10 +10,10 @@
 namespace packstone::cli {
 
 /// Throws InvalidArgument when the ending of `path` is none of `endings` (".json", ...), FileError
-/// when its folder does not exist or cannot be written to, or when it is itself a folder.
+/// when its folder does not exist, no file can be made there, or it is itself a folder.
 void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings);
 
 /// As above, for a file of any ending.
-void check_output_folder(const std::filesystem::path& path);
+void check_output_path(const std::filesystem::path& path);
 
 }  // namespace packstone::cli

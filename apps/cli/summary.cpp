@@ -100,6 +100,14 @@ Json certificate_json(const Certificate& c) {
           {"pairs_checked", c.pairs_checked}};
 }
 
+Json crossing_json(const std::optional<WallCrossing>& crossing) {
+  if (!crossing) return nullptr;
+  return {{"inclusion", crossing->inclusion},
+          {"axis", std::string(1, "xyz"[crossing->axis])},
+          {"wall", crossing->wall},
+          {"depth", crossing->depth}};
+}
+
 Json outcome_json(const PackOutcome& outcome) {
   Json groups = Json::array();
   for (const GroupOutcome& group : outcome.groups) groups.push_back(group_json(group));
@@ -117,7 +125,7 @@ Json outcome_json(const PackOutcome& outcome) {
   return text;
 }
 
-std::string certificate_text(const Certificate& c) {
+std::string certificate_text(const Certificate& c, const std::optional<WallCrossing>& crossing) {
   std::string text = fmt::format("{} inclusions, fraction {:.6g}\n", c.count, c.fraction);
   if (c.overlaps > 0) {
     text += fmt::format("{} {}\n", c.overlaps, c.overlaps == 1 ? "pair overlaps" : "pairs overlap");
@@ -127,8 +135,14 @@ std::string certificate_text(const Certificate& c) {
                         c.gaps_below == 1 ? "pair is" : "pairs are", c.min_gap);
   }
   if (c.outside_walls > 0) {
-    text += fmt::format("{} {} a wall\n", c.outside_walls,
+    text += fmt::format("{} {} a wall", c.outside_walls,
                         c.outside_walls == 1 ? "inclusion crosses" : "inclusions cross");
+    if (crossing) {
+      text += fmt::format("; deepest: inclusion {} by {:.4g} through the wall {} = {:.6g}",
+                          crossing->inclusion, crossing->depth, "xyz"[crossing->axis],
+                          crossing -> wall);
+    }
+    text += "\n";
   }
   text += fmt::format("smallest gap {}{}\n", gap_text(c), worst_text(c));
   if (!c.passed()) return text + "FAILED\n";

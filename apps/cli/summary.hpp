@@ -4,18 +4,22 @@
 /// What the commands say on standard output: for people, or one JSON object for machines.
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "packstone/recipe/pack.hpp"
 #include "packstone/structure/certificate.hpp"
+#include "packstone/structure/check_packing.hpp"
 
 namespace packstone::cli {
 
 [[nodiscard]] nlohmann::ordered_json certificate_json(const Certificate& certificate);
+[[nodiscard]] nlohmann::ordered_json crossing_json(const std::optional<WallCrossing>& crossing);
 [[nodiscard]] nlohmann::ordered_json outcome_json(const PackOutcome& outcome);
 
-/// The verdict in a few lines.
-[[nodiscard]] std::string certificate_text(const Certificate& certificate);
+/// The verdict in a few lines. `crossing`: the deepest one through a wall, if there is any.
+[[nodiscard]] std::string certificate_text(const Certificate& certificate,
+                                           const std::optional<WallCrossing>& crossing);
 /// Groups, what was derived, method, and the verdict.
 [[nodiscard]] std::string outcome_text(const PackOutcome& outcome);
 /// Why the target was not reached and what is missing, with advice.

@@ -111,4 +111,17 @@ void write_atomically(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
+void check_writable(const fs::path& path) {
+  std::error_code no_such_file;
+  const fs::file_type type = fs::status(path, no_such_file).type();
+  const bool listens = type == fs::file_type::fifo || type == fs::file_type::character ||
+                       type == fs::file_type::socket || type == fs::file_type::block;
+  if (!listens) {
+    const AtomicFile trial(path);
+  } else if (::access(path.c_str(), W_OK) != 0) {
+    throw FileError(path.string() +
+                    ": cannot be written: " + std::generic_category().message(errno));
+  }
+}
+
 }  // namespace packstone

@@ -43,40 +43,25 @@ std::string read_text_attribute(hid_t root, const char* name) {
 }
 
 void check_attributes(hid_t root) {
-  const std::string format = read_text_attribute(root, "format");
-  if (format != kPackingFormat) throw InvalidArgument("format is '" + format + "', not a packing");
+  check_format(read_text_attribute(root, "format"));
   const Hdf5Handle attribute = open_attribute(root, "version");
   expect_single(attribute, "version");
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, "version");
   if (H5Tget_class(type) != H5T_INTEGER) throw InvalidArgument("version: must be an integer");
   int version = 0;
   check_hdf5(H5Aread(attribute, H5T_NATIVE_INT, &version), "version");
-  if (version != kPackingVersion) {
-    throw InvalidArgument("version " + std::to_string(version) +
-                          " is unknown; this program reads version " +
-                          std::to_string(kPackingVersion));
-  }
+  check_version(version);
 }
 
 Cell read_cell(Hdf5Fields fields) {
   const std::vector<double> size = fields.numbers("size");
-  const std::vector<std::int64_t> periodic = fields.word_column("periodic", {"FALSE", "TRUE"});
+  std::vector<bool> periodic;
+  for (const std::int64_t flag : fields.word_column("periodic", {"FALSE", "TRUE"})) {
+    if (flag != 0 && flag != 1) throw InvalidArgument("cell.periodic: must be true or false");
+    periodic.push_back(flag == 1);
+  }
   fields.finish();
-  if (size.size() != 2 && size.size() != 3) {
-    throw InvalidArgument("cell/size: must have 2 or 3 numbers");
-  }
-  if (periodic.size() != size.size()) {
-    throw InvalidArgument("cell/periodic: must have as many flags as cell/size has numbers");
-  }
-  Cell cell{static_cast<int>(size.size()), {0, 0, 0}, {false, false, false}};
-  for (std::size_t axis = 0; axis < size.size(); ++axis) {
-    if (periodic[axis] != 0 && periodic[axis] != 1) {
-      throw InvalidArgument("cell/periodic: must be true or false");
-    }
-    cell.size[axis] = size[axis];
-    cell.periodic[axis] = periodic[axis] == 1;
-  }
-  return cell;
+  return stored_cell(size, periodic);
 }
 
 std::vector<ShapeKind> read_shapes(Hdf5Fields& fields) {

@@ -160,18 +160,6 @@ class InclusionReader {
   std::unordered_map<std::string, int> index_;
 };
 
-void check_format(const Json& value) {
-  if (value == kPackingFormat) return;
-  throw InvalidArgument("format is " + value.dump() + ", not a packing file (\"" +
-                        std::string(kPackingFormat) + "\")");
-}
-
-void check_version(const Json& value) {
-  if (value.is_number_integer() && value == kPackingVersion) return;
-  throw InvalidArgument("version " + value.dump() + " is unknown; this program reads version " +
-                        std::to_string(kPackingVersion));
-}
-
 /// The events of the parser: inclusions go to the InclusionReader, all else into a tree.
 class PackingEvents {
  public:
@@ -247,8 +235,12 @@ class PackingEvents {
       return true;
     }
     // At once, before the rest of a foreign file gives misleading complaints.
-    if (tree.depth() == 1 && tree.current_key() == "format") check_format(value);
-    if (tree.depth() == 1 && tree.current_key() == "version") check_version(value);
+    if (tree.depth() == 1 && tree.current_key() == "format") {
+      check_format(as_text(value, "format"));
+    }
+    if (tree.depth() == 1 && tree.current_key() == "version") {
+      check_version(as_integer(value, "version"));
+    }
     tree.scalar(std::move(value));
     return true;
   }
@@ -264,32 +256,16 @@ std::string without_prefix(const std::string& message) {
   return bracket == std::string::npos ? message : message.substr(bracket + 2);
 }
 
-template <std::size_t n>
-std::array<double, n> read_numbers(const Json& array, const std::string& where) {
-  std::array<double, n> values{};
-  if (array.size() != n)
-    throw InvalidArgument(where + ": must have " + std::to_string(n) + " numbers");
-  for (std::size_t i = 0; i < n; ++i) values[i] = as_number(array[i], where);
-  return values;
-}
-
 Cell read_cell(const Json& json) {
   JsonFields fields(json, "cell");
-  const Json& size = fields.array("size");
-  const Json& periodic = fields.array("periodic");
+  std::vector<double> size;
+  std::vector<bool> periodic;
+  for (const Json& one : fields.array("size")) size.push_back(as_number(one, "cell.size"));
+  for (const Json& one : fields.array("periodic")) {
+    periodic.push_back(as_flag(one, "cell.periodic"));
+  }
   fields.finish();
-  if (size.size() != 2 && size.size() != 3) {
-    throw InvalidArgument("cell.size: must have 2 or 3 numbers");
-  }
-  if (periodic.size() != size.size()) {
-    throw InvalidArgument("cell.periodic: must have as many flags as cell.size has numbers");
-  }
-  Cell cell{static_cast<int>(size.size()), {0, 0, 0}, {false, false, false}};
-  for (std::size_t axis = 0; axis < size.size(); ++axis) {
-    cell.size[axis] = as_number(size[axis], "cell.size");
-    cell.periodic[axis] = as_flag(periodic[axis], "cell.periodic");
-  }
-  return cell;
+  return stored_cell(size, periodic);
 }
 
 std::vector<GroupCensus> read_census(const Json& array) {
@@ -373,8 +349,8 @@ void apply_group_list(const Json& list, const std::vector<std::string>& seen, Pa
 
 Packing assemble(PackingEvents& events) {
   JsonFields fields(events.tree.root(), "the packing");
-  check_format(fields.text("format"));
-  check_version(fields.integer("version"));
+  static_cast<void>(fields.text("format"));  // checked when they were met
+  static_cast<void>(fields.integer("version"));
   Packing packing;
   packing.cell = read_cell(fields.object("cell"));
   static_cast<void>(fields.array("inclusions"));

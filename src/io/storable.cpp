@@ -87,6 +87,34 @@ void check_provenance(const Provenance& p) {
 
 }  // namespace
 
+void check_format(std::string_view format) {
+  if (format == kPackingFormat) return;
+  throw InvalidArgument("format is '" + std::string(format) + "', not a packing file ('" +
+                        std::string(kPackingFormat) + "')");
+}
+
+void check_version(std::int64_t version) {
+  if (version == kPackingVersion) return;
+  throw InvalidArgument("version " + std::to_string(version) +
+                        " is unknown; this program reads version " +
+                        std::to_string(kPackingVersion));
+}
+
+Cell stored_cell(const std::vector<double>& size, const std::vector<bool>& periodic) {
+  if (size.size() != 2 && size.size() != 3) {
+    throw InvalidArgument("cell.size: must have 2 or 3 numbers");
+  }
+  if (periodic.size() != size.size()) {
+    throw InvalidArgument("cell.periodic: must have as many flags as cell.size has numbers");
+  }
+  Cell cell{static_cast<int>(size.size()), {0, 0, 0}, {false, false, false}};
+  for (std::size_t axis = 0; axis < size.size(); ++axis) {
+    cell.size[axis] = size[axis];
+    cell.periodic[axis] = periodic[axis];
+  }
+  return cell;
+}
+
 void check_storable(const Packing& packing) {
   check_groups(packing.groups);
   check_well_formed(packing);

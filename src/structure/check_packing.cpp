@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -51,19 +52,35 @@ void take_census(const Packing& packing, Certificate& certificate) {
   }
 }
 
-// Within rounding: a body that overshoots a wall by no more than the two roundoffs is inside.
-bool inside_walls(const Cell& cell, const Inclusion& inclusion) {
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
-    if (cell.periodic[axis]) continue;
+// The wall that inclusion `i` crosses deepest. Within rounding: a body that overshoots a wall by no
+// more than the two roundoffs is inside.
+std::optional<WallCrossing> crossing(const Packing& packing, std::int64_t i) {
+  const Cell& cell = packing.cell;
+  const Inclusion& inclusion = packing.inclusions[static_cast<std::size_t>(i)];
+  std::optional<WallCrossing> deepest;
+  for (int axis = 0; axis < cell.dimension; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    if (cell.periodic[a]) continue;
     Vec3 outward;
-    outward[axis] = 1.0;
-    const double reach = support(inclusion.body, outward);
-    const double length = cell.size[axis];
+    outward[a] = 1.0;
+    const double reach = support(inclusion.body, outward);  // the same both ways
+    const double length = cell.size[a];
     const double slack = kSupportRoundoff * circum_radius(inclusion.body) + kWallRoundoff * length;
-    const double x = inclusion.center[axis];
-    if (!(x - reach >= -slack && length - x - reach >= -slack)) return false;
+    const double x = inclusion.center[a];
+    for (const WallCrossing& at : {WallCrossing{i, axis, 0.0, reach - x},
+                                   WallCrossing{i, axis, length, reach - (length - x)}}) {
+      if (at.depth > slack && (!deepest || at.depth > deepest->depth)) deepest = at;
+    }
   }
-  return true;
+  return deepest;
+}
+
+std::vector<WallCrossing> crossings(const Packing& packing) {
+  std::vector<WallCrossing> found;
+  for (std::size_t i = 0; i < packing.inclusions.size(); ++i) {
+    if (const auto one = crossing(packing, static_cast<std::int64_t>(i))) found.push_back(*one);
+  }
+  return found;
 }
 
 void check_images(const Packing& packing, const std::vector<Vec3>& extents) {
@@ -291,10 +308,13 @@ Certificate check_packing(const Packing& packing, const CheckOptions& options, R
   take_census(packing, certificate);
   const PairSearch search(packing, options.min_gap);
   check_pairs(search, run, certificate);
-  certificate.outside_walls =
-      std::count_if(packing.inclusions.begin(), packing.inclusions.end(),
-                    [&](const Inclusion& i) { return !inside_walls(packing.cell, i); });
+  certificate.outside_walls = static_cast<std::int64_t>(crossings(packing).size());
   return certificate;
+}
+
+std::vector<WallCrossing> wall_crossings(const Packing& packing) {
+  check_well_formed(packing);
+  return crossings(packing);
 }
 
 std::vector<PairWitness> separating_directions(const Packing& packing, const CheckOptions& options,

@@ -103,9 +103,15 @@ class Usage(Case):
         (self.folder / "taken.json").mkdir()
         for output, words in [("out.xyz", "allowed is one of .json, .h5"), ("out", "no ending"),
                               ("nowhere/out.json", "there is no folder nowhere"),
-                              ("taken.json", "is a folder")]:
+                              ("taken.json", "is a folder"),
+                              ("/proc/out.json", "/proc/out.json: cannot be written")]:
             done = self.run_program("pack", recipe, "-o", output, code=2)
             self.assertIn(words, done.stderr)
+        for arguments in [("draw", "missing.json", "-o", "/proc/p.png"),
+                          ("export", "missing.json", "-o", "/proc/p.vtu"),
+                          ("check", "missing.json", "--witness", "/proc/w.csv")]:
+            done = self.run_program(*arguments, code=2)
+            self.assertIn(arguments[-1] + ": cannot be written", done.stderr)
         for command, output in [("draw", "p.bmp"), ("export", "p.obj")]:
             done = self.run_program(command, "missing.json", "-o", output, code=2)
             self.assertIn("unknown ending", done.stderr)
@@ -366,6 +372,21 @@ class Checking(Case):
         self.assertFalse(certificate["passed"])
         self.assertEqual(certificate["overlaps"], 1)
         self.assertAlmostEqual(certificate["smallest_gap"], -0.05, places=12)
+
+    def test_who_crosses_a_wall_is_named_with_the_wall_and_how_far(self):
+        packing = json.loads(json.dumps(OVERLAPPING))
+        packing["cell"]["periodic"] = [True, True, False]
+        packing["inclusions"][1]["center"] = [0.5, 0.5, 0.95]
+        radius = packing["inclusions"][1]["radius"]
+        packing["inclusions"][0]["center"] = [0.1, 0.1, radius - 0.01]
+        self.write("out.json", packing)
+        done = self.run_program("check", "out.json", code=1)
+        self.assertIn("2 inclusions cross a wall; deepest: inclusion 1 by %.4g through the wall z = 1"
+                      % (radius - 0.05), done.stdout)
+        certificate = json.loads(self.run_program("check", "out.json", "--json", code=1).stdout)
+        self.assertEqual(certificate["outside_walls"], 2)
+        self.assertAlmostEqual(certificate["deepest_crossing"].pop("depth"), radius - 0.05)
+        self.assertEqual(certificate["deepest_crossing"], {"inclusion": 1, "axis": "z", "wall": 1})
 
     def test_the_least_gap_is_checked_when_asked_for(self):
         packing = json.loads(json.dumps(OVERLAPPING))

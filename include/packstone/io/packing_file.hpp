@@ -47,4 +47,9 @@ void write_packing(const std::filesystem::path& path, const Packing& packing);
 /// or terminal is written to directly. Throws FileError with path and reason.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Throws FileError when write_atomically() could not even begin, to be asked before long work:
+/// makes the temporary file and removes it. A pipe or terminal is not opened, as that would count
+/// with who listens; only permission is asked for.
+void check_writable(const std::filesystem::path& path);
+
 }  // namespace packstone

@@ -42,6 +42,19 @@ struct PairWitness {
 [[nodiscard]] Certificate check_packing(const Packing& packing, const CheckOptions& options = {},
                                         RunContext run = {});
 
+/// An inclusion that is not proven to stay inside the walls.
+struct WallCrossing {
+  std::int64_t inclusion = 0;
+  int axis = 0;        ///< Across which the wall stands: 0, 1, 2 for x, y, z.
+  double wall = 0.0;   ///< Where it stands along this axis: 0 or the length of the cell [L].
+  double depth = 0.0;  ///< How far the inclusion reaches beyond it [L]; may be mere rounding.
+};
+
+/// Every inclusion that Certificate::outside_walls counts, with the wall that it crosses deepest.
+///
+/// Errors:  throws InvalidArgument if the packing is not well formed.
+[[nodiscard]] std::vector<WallCrossing> wall_crossings(const Packing& packing);
+
 /// One separating direction for every pair whose bounding boxes come within `min_gap` of each
 /// other: all other pairs are apart because their boxes are. Ordered by (a, b, image).
 [[nodiscard]] std::vector<PairWitness> separating_directions(const Packing& packing,

@@ -106,6 +106,23 @@ TEST_CASE("what is not a regular file is written to and not replaced") {
   CHECK(fs::is_character_file("/dev/null"));
 }
 
+TEST_CASE("whether a file can be written is known without writing it") {
+  const test::TemporaryFolder folder;
+  CHECK_NOTHROW(check_writable(folder / "new"));
+  CHECK(fs::is_empty(folder.path()));
+  write_atomically(folder / "old", "x");
+  CHECK_NOTHROW(check_writable(folder / "old"));
+  CHECK(test::content_of(folder / "old") == "x");
+  CHECK_THROWS_WITH(check_writable(folder / "no/file"), Catch::Contains("No such file"));
+  CHECK_THROWS_WITH(check_writable(folder.path()), Catch::Contains("Is a directory"));
+  // No file can be made there, whoever asks.
+  CHECK_THROWS_WITH(check_writable("/proc/x.json"), Catch::Contains("/proc/x.json: cannot be"));
+  CHECK_NOTHROW(check_writable("/dev/null"));
+  // Opening a pipe would wait for a reader.
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  CHECK_NOTHROW(check_writable(folder / "pipe"));
+}
+
 TEST_CASE("messages name the path and the system's reason") {
   const test::TemporaryFolder folder;
   CHECK_THROWS_WITH(write_atomically(folder / "no/file", "x"),

@@ -91,10 +91,11 @@ constexpr const char* kValid = R"({
 })";
 
 constexpr Damage kDamages[] = {
-    {"\"packstone-packing\"", "\"other\"", "packing.json: format is \"other\", not a packing file"},
+    {"\"packstone-packing\"", "\"other\"", "packing.json: format is 'other', not a packing file"},
     {"\"version\": 1,", "\"version\": 2,", "version 2 is unknown; this program reads version 1"},
-    {"\"version\": 1,", "\"version\": 1.0,", "version 1.0 is unknown"},
-    {"\"version\": 1,", "\"version\": \"1\",", "version \"1\" is unknown"},
+    {"\"version\": 1,", "\"version\": 1.0,", "version: must be an integer"},
+    {"\"version\": 1,", "\"version\": \"1\",", "version: must be an integer"},
+    {"\"packstone-packing\"", "[1]", "the packing.format: must be text"},
     {"\"version\": 1,", "", "field 'version' is missing"},
     {"\"format\": \"packstone-packing\",", "", "field 'format' is missing"},
     {"\"version\": 1,", "\"version\": 1, \"version\": 1,", "field 'version' stands twice"},

@@ -196,6 +196,24 @@ TEST_CASE("a body that rests on a wall is inside, one that is pushed through it 
   CHECK(check_packing(spheres(cell, {{0.5, 0.5, 0.1}, {0.1, 0.1, 0.7 - 0.1}}, 0.1)).passed());
 }
 
+TEST_CASE("who crosses a wall is named with the wall that is crossed deepest, and how far") {
+  const Cell cell{3, {1, 1, 0.7}, {true, false, false}};
+  const Packing packing =
+      spheres(cell, {{0.99, 0.5, 0.3}, {0.5, 0.08, 0.65}, {0.2, 0.97, 0.35}, {0.8, 0.9, 0.6}}, 0.1);
+  const std::vector<WallCrossing> found = wall_crossings(packing);
+  CHECK(check_packing(packing).outside_walls == 2);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].inclusion == 1);
+  CHECK(found[0].axis == 2);
+  CHECK(found[0].wall == 0.7);
+  CHECK(found[0].depth == Approx(0.05));
+  CHECK(found[1].inclusion == 2);
+  CHECK(found[1].axis == 1);
+  CHECK(found[1].wall == 1.0);
+  CHECK(found[1].depth == Approx(0.07));
+  CHECK(wall_crossings(spheres(Cell{}, {{0, 0, 0}}, 0.3)).empty());
+}
+
 TEST_CASE("the census adds up per group") {
   const Packing packing = scattered(4, 3, 9, 0.01);
   const Certificate verdict = check_packing(packing);
