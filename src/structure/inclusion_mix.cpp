@@ -17,11 +17,11 @@ namespace packstone {
 namespace {
 
 using mix::check_group;
+using mix::check_ordered_counts;
 using mix::check_ordered_fractions;
 using mix::derived_sentence;
 using mix::has_open_count;
 using mix::has_second_aspect;
-using mix::kMostInclusions;
 using mix::lengths_text;
 using mix::Named;
 using mix::open_count_sentence;
@@ -189,48 +189,58 @@ void scale_to_volume(std::vector<Body>& bodies, double wanted) {
 // Bodies after which their mean volume tells a hopeless order from one that takes long.
 constexpr std::size_t kEnoughForMean = 1000;
 
-// As many bodies as come nearest to the volume `wanted`, drawn until they pass it.
+// Of this many times as many bodies as are allowed is said, after kEnoughForMean of them, that
+// they are too many. Equal bodies need no such margin.
+double certain_excess(const InclusionGroup& group) {
+  return group.dimensions || (is_constant(group.size) && is_constant(group.aspect) &&
+                              is_constant(group.aspect_second))
+             ? 1.0
+             : 10.0;
+}
+
+// As many bodies as come nearest to the volume `wanted`, drawn until they pass it. `most`: that
+// many are left of `limit`.
 std::vector<Body> bodies_of_volume(const InclusionGroup& group, int index, std::uint64_t seed,
-                                   double wanted) {
-  const Named named{group, index};
-  const std::string ordered = number_text(group.fraction.value_or(0.0));
-  const std::string most = std::to_string(kMostInclusions);
+                                   double wanted, std::int64_t most, const InclusionLimit& limit) {
+  const auto refuse = [&](double count) {
+    Named{group, index}.refuse(GroupField::fraction, number_text(group.fraction.value_or(0.0)),
+                               "it takes some " + number_text(count, 3) +
+                                   " inclusions of this size; " +
+                                   limit.why_not(static_cast<double>(limit.most - most) + count));
+  };
   std::vector<Body> bodies;
   CompensatedSum sum;
   double before = 0.0;
   std::int64_t batch = 1;
   while (true) {
     const auto first = static_cast<std::int64_t>(bodies.size());
-    if (first >= kMostInclusions) {
-      named.refuse(GroupField::fraction, ordered,
-                   "it is not reached by " + most + " inclusions of this size, the most allowed");
-    }
     for (const Body& body : unturned_bodies(group, index, seed, first, batch)) {
       before = sum.value();
       bodies.push_back(body);
       sum.add(volume(body));
       if (sum.value() < wanted) continue;
       if (wanted - before < sum.value() - wanted) bodies.pop_back();
+      if (static_cast<std::int64_t>(bodies.size()) > most) break;
       return bodies;
     }
-    // What the mean volume so far makes of the rest, and a little more.
-    const double rest = (wanted - sum.value()) / (sum.value() / static_cast<double>(bodies.size()));
-    if (bodies.size() >= kEnoughForMean && rest > 10.0 * static_cast<double>(kMostInclusions)) {
-      named.refuse(GroupField::fraction, ordered,
-                   "it takes some " + number_text(rest, 3) +
-                       " inclusions of this size; allowed are " + most);
-    }
+    // What the mean volume so far makes of the whole and of the rest, and a little more.
+    const auto count = static_cast<double>(bodies.size());
+    const double whole = wanted / (sum.value() / count);
+    const bool hopeless = bodies.size() >= kEnoughForMean &&
+                          whole > certain_excess(group) * static_cast<double>(most) + 1.0;
+    if (hopeless || count > static_cast<double>(most)) refuse(whole);
     batch = static_cast<std::int64_t>(
-        std::clamp(1.02 * rest + 16.0, 16.0, 64.0 * static_cast<double>(bodies.size()) + 16.0));
-    batch = std::min(batch, kMostInclusions - static_cast<std::int64_t>(bodies.size()) + 1);
+        std::clamp(1.02 * (whole - count) + 16.0, 16.0, 64.0 * count + 16.0));
+    batch = std::min(batch, most - static_cast<std::int64_t>(bodies.size()) + 1);
   }
 }
 
 std::vector<Body> group_bodies(const Cell& cell, const InclusionGroup& group, int index,
-                               std::uint64_t seed) {
+                               std::uint64_t seed, std::int64_t most, const InclusionLimit& limit) {
   const double wanted = group.fraction.value_or(0.0) * volume(cell);
-  std::vector<Body> bodies = group.count ? unturned_bodies(group, index, seed, 0, *group.count)
-                                         : bodies_of_volume(group, index, seed, wanted);
+  std::vector<Body> bodies = group.count
+                                 ? unturned_bodies(group, index, seed, 0, *group.count)
+                                 : bodies_of_volume(group, index, seed, wanted, most, limit);
   if (bodies.empty()) {
     const Body one = unturned_bodies(group, index, seed, 0, 1).front();
     Named{group, index}.refuse(
@@ -258,6 +268,14 @@ InvalidGroup::InvalidGroup(const std::string& label, int index, GroupField field
       field_(field),
       why_(why) {}
 
+std::string InclusionLimit::why_not(double count) const {
+  const std::string allowed = "allowed are " + std::to_string(most) + " in all";
+  if (bytes_each == 0.0) return allowed;
+  const auto gigabytes = [&](double n) { return number_text(1e-9 * n * bytes_each, 3) + " GB"; };
+  return "that needs some " + gigabytes(count) + " of memory, this machine has " +
+         gigabytes(static_cast<double>(most)) + "; " + allowed;
+}
+
 int symmetry_axis(const Vec3& s) noexcept {
   const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(a, b); };
   if (equal(s.x, s.y)) return 2;
@@ -267,11 +285,12 @@ int symmetry_axis(const Vec3& s) noexcept {
 }
 
 InclusionMix draw_inclusions(const Cell& cell, const std::vector<InclusionGroup>& groups,
-                             std::uint64_t seed) {
+                             std::uint64_t seed, const InclusionLimit& limit) {
   check_cell(cell);
   const int count = static_cast<int>(groups.size());
   for (int g = 0; g < count; ++g) check_group(cell, groups[static_cast<std::size_t>(g)], g);
   check_ordered_fractions(groups);
+  check_ordered_counts(groups, limit);
 
   InclusionMix mix;
   for (int g = 0; g < count; ++g) {
@@ -281,10 +300,12 @@ InclusionMix draw_inclusions(const Cell& cell, const std::vector<InclusionGroup>
       mix.derived.push_back(open_count_sentence(group, g));
       continue;
     }
-    std::vector<Body> bodies = group_bodies(cell, group, g, seed);
+    const std::int64_t left = limit.most - static_cast<std::int64_t>(mix.bodies.size());
+    std::vector<Body> bodies = group_bodies(cell, group, g, seed, left, limit);
     const double reached = total_volume(bodies) / volume(cell);
     mix.derived.push_back(derived_sentence(group, g, bodies, reached));
     turn_bodies(bodies, group, g, seed, 0, Correction::exact);
+    mix.bodies.reserve(mix.bodies.size() + bodies.size());
     for (const Body& body : bodies) mix.bodies.push_back({body, g});
   }
   return mix;

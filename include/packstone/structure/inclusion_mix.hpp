@@ -91,6 +91,15 @@ struct InclusionMix {
   std::vector<bool> open_count;  ///< Per group: true when size alone was given; no bodies drawn.
 };
 
+/// How many inclusions may be drawn.
+struct InclusionLimit {
+  std::int64_t most = 100'000'000;  ///< In all groups together.
+  double bytes_each = 0.0;  ///< What one takes in memory [B], where that is what limits `most`.
+
+  /// "it needs some 40 GB of memory, this machine has 16 GB; allowed are 40000000" for `count`.
+  [[nodiscard]] std::string why_not(double count) const;
+};
+
 /// The body axis that orientation laws turn: of an ellipsoid the axis of revolution where two
 /// semi-axes are equal within 1e-9 (for a ball z), otherwise the longest one. 0, 1 or 2.
 [[nodiscard]] int symmetry_axis(const Vec3& semi_axes) noexcept;
@@ -110,12 +119,13 @@ struct InclusionMix {
 ///            - a law gives values that are not > 0, or a law other than that of size counts
 ///              volume;
 ///            - the ordered fractions sum to 1 or more;
-///            - one inclusion is more than twice the ordered fraction, or 10^8 do not reach it.
+///            - one inclusion is more than twice the ordered fraction;
+///            - more inclusions are ordered than `limit` allows.
 ///          Whether the cell can hold what was drawn is another question: standing.hpp.
 /// Cost:    1 to 2 us a body.
 [[nodiscard]] InclusionMix draw_inclusions(const Cell& cell,
                                            const std::vector<InclusionGroup>& groups,
-                                           std::uint64_t seed);
+                                           std::uint64_t seed, const InclusionLimit& limit = {});
 
 /// `count` further bodies of one group with open count: item first, first + 1, ... of its streams.
 ///

@@ -83,10 +83,6 @@ void check_determined(const Named& named) {
   if (group.count && *group.count < 1) {
     named.refuse(GroupField::count, std::to_string(*group.count), "allowed are counts >= 1");
   }
-  if (group.count && *group.count > kMostInclusions) {
-    named.refuse(GroupField::count, std::to_string(*group.count),
-                 "allowed are counts <= " + std::to_string(kMostInclusions));
-  }
   if (group.fraction && !(*group.fraction > 0.0 && *group.fraction < 1.0)) {
     named.refuse(GroupField::fraction, number_text(*group.fraction),
                  "allowed are fractions > 0 and < 1");
@@ -151,6 +147,19 @@ void check_ordered_fractions(const std::vector<InclusionGroup>& groups) {
     Named{groups[i], static_cast<int>(i)}.refuse(
         GroupField::fraction, number_text(*groups[i].fraction),
         "it makes the fractions sum to " + number_text(sum) + "; allowed are sums < 1");
+  }
+}
+
+void check_ordered_counts(const std::vector<InclusionGroup>& groups, const InclusionLimit& limit) {
+  std::int64_t left = limit.most;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const std::int64_t count = groups[i].count.value_or(0);
+    if (count > left) {
+      const double all = static_cast<double>(limit.most - left) + static_cast<double>(count);
+      Named{groups[i], static_cast<int>(i)}.refuse(GroupField::count, std::to_string(count),
+                                                   limit.why_not(all));
+    }
+    left -= count;
   }
 }
 

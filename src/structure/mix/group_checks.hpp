@@ -11,9 +11,6 @@
 
 namespace packstone::mix {
 
-/// More are refused.
-inline constexpr std::int64_t kMostInclusions = 100'000'000;
-
 /// A group with its index: what messages about it start from.
 struct Named {
   const InclusionGroup& group;
@@ -39,5 +36,8 @@ void check_group(const Cell& cell, const InclusionGroup& group, int index);
 
 /// Throws InvalidGroup when the fractions ordered sum to 1 or more.
 void check_ordered_fractions(const std::vector<InclusionGroup>& groups);
+
+/// Throws InvalidGroup when the counts ordered sum to more than `limit` allows.
+void check_ordered_counts(const std::vector<InclusionGroup>& groups, const InclusionLimit& limit);
 
 }  // namespace packstone::mix

@@ -372,6 +372,35 @@ TEST_CASE("fractions that no number of inclusions comes near are refused") {
           "it is less than half an inclusion; allowed with diameter 0.6 are fractions >= 0.0565");
 }
 
+TEST_CASE("no more inclusions are drawn than a limit for all groups together allows") {
+  const InclusionLimit limit{1000, 0.0};
+  const auto message_of = [&](const std::vector<InclusionGroup>& groups) {
+    try {
+      return std::to_string(draw_inclusions(kCube, groups, 1, limit).bodies.size());
+    } catch (const InvalidGroup& problem) {
+      return std::string(problem.what());
+    }
+  };
+  CHECK(message_of({ordered(ShapeKind::sphere, 400, 0.1), ordered(ShapeKind::sphere, 600, 0.1)}) ==
+        "1000");
+  CHECK(message_of({ordered(ShapeKind::sphere, 400, 0.1), ordered(ShapeKind::sphere, 601, 0.1)}) ==
+        "group 'beads': count = 601; allowed are 1000 in all");
+  const double ball = 4.0 / 3.0 * std::numbers::pi * 0.01 * 0.01 * 0.01;
+  InclusionGroup beads = beads_of_radius(0.01);
+  beads.fraction = 1000.2 * ball;
+  CHECK(message_of({beads}) == "1000");
+  beads.fraction = 1001.2 * ball;
+  CHECK_THAT(message_of({beads}), Catch::Contains("takes some 1e+03 inclusions of this size; all"));
+  beads.fraction = 900.2 * ball;
+  CHECK(message_of({ordered(ShapeKind::sphere, 100, 0.1), beads}) == "1000");
+  CHECK_THAT(message_of({ordered(ShapeKind::sphere, 101, 0.1), beads}), Catch::Contains("in all"));
+  beads.size.law = UniformLaw{0.009, 0.011};
+  beads.fraction = 0.9;
+  CHECK_THAT(message_of({beads}), Catch::Contains("inclusions of this size; allowed are 1000"));
+  CHECK(InclusionLimit{1000, 2e6}.why_not(3000) ==
+        "that needs some 6 GB of memory, this machine has 2 GB; allowed are 1000 in all");
+}
+
 TEST_CASE("what is refused says whose it is and which field") {
   InclusionGroup group = ordered(ShapeKind::sphere, 5, 1.2);
   try {
