@@ -71,10 +71,7 @@ Gap gap_pair(const X& a, const Y& b, const Vec3& r) noexcept {
     return {swapped.value, swapped.error, -swapped.normal, swapped.point_b + r,
             swapped.point_a + r};
   } else if constexpr (HasGap<X, Y>) {
-    const Gap special = gap(a, b, r);
-    if (special.error <= kGapRoundoff * std::fmax(reach(a), reach(b))) return special;
-    const Gap general = convex::gap(a, b, r);
-    return general.error < special.error ? general : special;
+    return gap(a, b, r);
   } else {
     return convex::gap(a, b, r);
   }

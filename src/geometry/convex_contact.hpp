@@ -5,6 +5,8 @@
 
 #include <type_traits>
 
+#include "geometry/axis_segments.hpp"
+#include "geometry/chord_search.hpp"
 #include "geometry/expanding_polygon.hpp"
 #include "geometry/expanding_polytope.hpp"
 #include "geometry/gjk.hpp"
@@ -130,6 +132,9 @@ inline Vec3 revolution_axis(const Ellipsoid& core) {
   return s.x == s.z ? frame.col_y : Vec3{};
 }
 
+/// Angle of axes below which two bodies of revolution are treated as nearly parallel [rad].
+inline constexpr double kNearlyParallel = 1e-2;
+
 /// Brackets the depth of r in the sum of two cores in space, both grown by `inflation` together.
 /// Where both are bodies of revolution about axes that are parallel but for an angle, turning b to
 /// the axis of a moves its points by no more than reach_b times the angle, and the problem is one
@@ -139,7 +144,7 @@ Depth search_depth_of_cores(const Sum& sum, const CoreA& a, const CoreB& b, cons
                             double reach_b, double tolerance) {
   const Vec3 axis = revolution_axis(a), axis_b = revolution_axis(b);
   const double angle = 1.01 * norm(cross(axis, axis_b)) + 8 * kUnitRoundoff;
-  const bool parallel = norm_sq(axis) > 0.0 && norm_sq(axis_b) > 0.0 && angle < 1e-2;
+  const bool parallel = norm_sq(axis) > 0.0 && norm_sq(axis_b) > 0.0 && angle < kNearlyParallel;
   if (!parallel) return search_depth(sum, r, tolerance);
   Depth depth;
   if (angle > 1e-13) {
@@ -188,8 +193,72 @@ struct CoreGap {
   }
 };
 
-/// GJK while the cores are apart, their depth when they are not; and where neither closes the
-/// bracket, the depth of the cores grown by a ball, which has no thin and no flat places.
+template <class Core>
+inline constexpr bool kHasChords =
+    std::is_same_v<Core, Ellipsoid> || std::is_same_v<Core, Cylinder> ||
+    std::is_same_v<Core, SegmentCore>;
+
+/// The best of the directions it is shown, for ChordSearch.
+template <class A, class B>
+class BestDirection {
+ public:
+  BestDirection(const SupportChords<A>& a, const SupportChords<B>& b, const Vec3& r)
+      : a_(a), b_(b), r_(r) {}
+
+  double g() const { return g_; }
+  const Vec3& direction() const { return direction_; }
+  void look(const Vec3& d) {
+    if (!(norm_sq(d) > 0.0)) return;
+    const Vec3 unit = normalized(d);
+    const double g = dot(unit, r_) - a_.support(unit) - b_.support(unit);
+    if (g > g_) g_ = g, direction_ = unit;
+  }
+  bool covers(const Vec3&, double) const { return false; }
+
+ private:
+  const SupportChords<A>& a_;
+  const SupportChords<B>& b_;
+  Vec3 r_;
+  double g_ = -std::numeric_limits<double>::infinity();
+  Vec3 direction_;
+};
+
+/// Two rods: the directions in which the nearly parallel ones leave each other.
+template <class A, class B>
+void look_along_rods(const A& a, const B& b, const Vec3& r, BestDirection<A, B>& best) {
+  const Vec3 u = a.axis, v = dot(a.axis, b.axis) < 0.0 ? -b.axis : b.axis;
+  const Vec3 between = nearest_points({a.half_length, a.axis}, {b.half_length, b.axis}, r).between;
+  // The difference is exact where the axes are nearly parallel.
+  const Vec3 normal = cross(u, v - u);
+  for (const Vec3& d : {between, part_across(u, between), part_across(v, between), normal, u, v}) {
+    best.look(d);
+    best.look(-d);
+  }
+}
+
+/// Where the polytope cannot end, since a curve of directions all but ties.
+template <class A, class B>
+void close_by_chords(const A& a, const B& b, const Vec3& r, double tolerance, CoreGap& gap) {
+  const SupportChords<A> chords_a(a);
+  const SupportChords<B> chords_b(b);
+  BestDirection<A, B> best(chords_a, chords_b, r);
+  best.look(gap.normal);
+  ChordSearch<A, B> search(chords_a, chords_b, r);
+  if constexpr (!std::is_same_v<A, Ellipsoid>) {
+    look_along_rods(a, b, r, best);
+    if (norm(cross(a.axis, b.axis)) < kNearlyParallel) {
+      search.set_parallel_sides({chords_a, chords_b, r});
+    }
+  }
+  gap.upper = std::fmin(gap.upper, search.upper_bound(best, tolerance));
+  if (!(best.g() > gap.lower)) return;
+  gap.lower = best.g();
+  gap.normal = best.direction();
+  gap.in_a = SupportMap<A>(a).point(gap.normal);
+}
+
+/// GJK while the cores are apart, their depth when they are not; where neither closes the bracket,
+/// the depth of the cores grown by a ball, which has no thin and no flat places; and then chords.
 template <class A, class B>
 CoreGap search_core_gap(const A& a, const B& b, const Vec3& r, double tolerance) {
   using Sum = MinkowskiSum<std::decay_t<decltype(core(a))>, std::decay_t<decltype(core(b))>>;
@@ -204,6 +273,11 @@ CoreGap search_core_gap(const A& a, const B& b, const Vec3& r, double tolerance)
   }
   const double inflation = std::fmax(1.5 * gap.lower, 0.0) + 0.05 * sum.circum_radius();
   gap.add(search_depth_of_bodies(a, b, r, inflation, tolerance), inflation, tolerance);
+  using CoreA = std::decay_t<decltype(core(a))>;
+  using CoreB = std::decay_t<decltype(core(b))>;
+  if constexpr (kHasChords<CoreA> && kHasChords<CoreB>) {
+    if (gap.upper - gap.lower > tolerance) close_by_chords(core(a), core(b), r, tolerance, gap);
+  }
   return gap;
 }
 

@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
+#include "geometry/chord_search.hpp"
 #include "geometry/posed_ellipsoid.hpp"
 #include "packstone/geometry/ellipsoid_contact.hpp"
 
@@ -77,26 +76,6 @@ double bound_within(double g, double steepness, double rho, double angle) {
   return lifted * c + steepness * s - rho;
 }
 
-/// A square on one face of the cube around the sphere of directions.
-struct Patch {
-  double bound;
-  float u, v, half;
-  int face;
-
-  friend bool operator<(const Patch& x, const Patch& y) { return x.bound < y.bound; }
-
-  Vec3 direction() const {
-    Vec3 p;
-    const std::size_t axis = static_cast<std::size_t>(face / 2);
-    p[axis] = face % 2 == 0 ? 1.0 : -1.0;
-    p[(axis + 1) % 3] = u;
-    p[(axis + 2) % 3] = v;
-    return normalized(p);
-  }
-  /// Central projection shortens, so half the diagonal bounds the angle [rad].
-  double angle() const { return 1.4142135623730952 * half * (1.0 + 1e-6); }
-};
-
 class GapSearch {
  public:
   GapSearch(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r)
@@ -108,12 +87,14 @@ class GapSearch {
                             b_.pose.largest * (b_.pose.largest / b_.pose.least));
   }
 
-  Gap run() {
+  Gap run(const Ellipsoid& a, const Ellipsoid& b) {
     best_ = climb(at(start_direction()));
     double upper = whole_sphere_bound(best_);
     if (upper - best_.g > tolerance()) {
-      try_other_starts();
-      upper = std::min(whole_sphere_bound(best_), branch_and_bound());
+      ChordSearch<Ellipsoid, Ellipsoid> search(SupportChords<Ellipsoid>(a),
+                                               SupportChords<Ellipsoid>(b), r_);
+      const double proven = search.upper_bound(*this, tolerance());
+      upper = std::min(whole_sphere_bound(best_), proven);
     }
     Gap gap;
     gap.value = best_.g;
@@ -122,6 +103,23 @@ class GapSearch {
     gap.point_a = best_.a.point;
     gap.point_b = r_ - best_.b.point;
     return gap;
+  }
+
+  // What ChordSearch asks for.
+  double g() const { return best_.g; }
+  const Vec3& direction() const { return best_.d; }
+  void look(const Vec3& d) {
+    const Sample there = at(d);
+    if (!(there.g > best_.g)) return;
+    best_ = climb(there);
+    cap_is_known_ = false;
+  }
+  bool covers(const Vec3& d, double distance) {
+    const double from_best = norm(d - best_.d);
+    if (!(from_best + distance < 1.5)) return false;
+    if (!cap_is_known_) cap_ = certified_cap();
+    cap_is_known_ = true;
+    return 2.0 * (std::asin(0.5 * from_best) + std::asin(0.5 * distance)) <= cap_;
   }
 
  private:
@@ -157,9 +155,7 @@ class GapSearch {
 
   Vec3 newton_step(const Sample& s) const;
   Sample climb(Sample s) const;
-  void try_other_starts();
   double certified_cap() const;
-  double branch_and_bound();
 
   CurvedBody a_, b_;
   Vec3 r_;
@@ -167,6 +163,8 @@ class GapSearch {
   double roundoff_ = 0.0;
   double tangent_roundoff_ = 0.0;
   Sample best_;
+  double cap_ = 0.0;  ///< certified_cap() of best_, once asked for.
+  bool cap_is_known_ = false;
 };
 
 /// The line of centers; where the centers coincide, the shortest semi-axis of the thinner body.
@@ -220,16 +218,6 @@ Sample GapSearch::climb(Sample s) const {
   return s;
 }
 
-/// Deep overlaps have several local maxima; the best of the short axes is mostly the greatest.
-void GapSearch::try_other_starts() {
-  for (const Mat3& frame : {a_.pose.rotation, b_.pose.rotation}) {
-    for (const Vec3& axis : {frame.col_x, frame.col_y, frame.col_z}) {
-      const Sample there = climb(at(normalized(dot(axis, r_) < 0.0 ? -axis : axis)));
-      if (there.g > best_.g) best_ = there;
-    }
-  }
-}
-
 /// Radius of a cap about the best direction in which nothing exceeds it by more than the tolerance.
 double GapSearch::certified_cap() const {
   for (double angle = 1.5; angle > 1e-6; angle *= 0.7) {
@@ -238,52 +226,10 @@ double GapSearch::certified_cap() const {
   return 0.0;
 }
 
-/// Upper bound on g over the sphere: best patch first, each bounded by equation (5) from its center
-/// with the least radius of curvature on it, until the best patch left is no better than best_.
-double GapSearch::branch_and_bound() {
-  constexpr std::size_t kCapacity = 4096;
-  constexpr int kBudget = 20'000;
-  std::array<Patch, kCapacity> heap;
-  std::size_t count = 0;
-  double dropped = best_.g;
-  double cap = certified_cap();
-  const auto add = [&](Patch patch) {
-    const Vec3 d = patch.direction();
-    const double angle = patch.angle();
-    if (angle < cap && dot(d, best_.d) > std::cos(cap - angle) + 8 * kUnitRoundoff) {
-      dropped = std::max(dropped, best_.g + tolerance());
-      return;
-    }
-    const Sample s = at(d);
-    if (s.g > best_.g) {
-      best_ = climb(s);
-      cap = certified_cap();
-    }
-    patch.bound = cap_bound(s, angle);
-    if (patch.bound <= best_.g + tolerance() || count == kCapacity) {
-      dropped = std::max(dropped, patch.bound);
-      return;
-    }
-    heap[count++] = patch;
-    std::push_heap(heap.begin(), heap.begin() + count);
-  };
-  for (int face = 0; face < 6; ++face) add({0.0, 0.0F, 0.0F, 1.0F, face});
-  for (int spent = 0; count > 0 && spent < kBudget; spent += 4) {
-    std::pop_heap(heap.begin(), heap.begin() + count);
-    const Patch top = heap[--count];
-    if (top.bound <= best_.g + tolerance()) return std::max(dropped, top.bound);
-    const float half = 0.5F * top.half;
-    for (const float du : {-half, half}) {
-      for (const float dv : {-half, half}) add({0.0, top.u + du, top.v + dv, half, top.face});
-    }
-  }
-  return count > 0 ? std::max(dropped, heap[0].bound) : dropped;
-}
-
 }  // namespace
 
 Gap gap(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r_ab) noexcept {
-  return GapSearch(a, b, r_ab).run();
+  return GapSearch(a, b, r_ab).run(a, b);
 }
 
 }  // namespace packstone

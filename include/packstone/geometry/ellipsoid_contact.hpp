@@ -25,9 +25,10 @@
 ///     g(phi) <= (g0 + rho) cos phi + t0 sin phi - rho                                       (5)
 ///
 /// with t0 the length of the tangential gradient and rho any lower bound on that sum; so a local
-/// maximum is the global one as soon as g0 + rho >= 0, and otherwise (5) over small caps rules out
-/// the rest of the sphere by branch and bound. W. Blaschke, Kreis und Kugel (1916), section 24, has
-/// the geometric side: a ball of the least radius of curvature rolls inside the body.
+/// maximum is the global one as soon as g0 + rho >= 0, and otherwise (5) closes a cap about it
+/// while quadratic bounds on both supports rule out the rest (docs/algorithms/gap.md). W. Blaschke,
+/// Kreis und Kugel (1916), section 24, has the geometric side: a ball of the least radius of
+/// curvature rolls inside the body.
 ///
 /// **Sphere and ellipsoid.** With y the center of the ball in the frame of the ellipsoid, the
 /// nearest point of the surface is x_i = e_i^2 y_i / (t + e_i^2) with t the one root above
@@ -62,10 +63,8 @@ namespace packstone {
                               double min_gap = 0.0) noexcept;
 
 /// Signed gap with contact. Sphere and ellipsoid: closed up to one root, error a few units of
-/// rounding. Two ellipsoids: error below kGapRoundoff times the larger body, unless they overlap
-/// deeply and the greatest g is attained on a whole curve of directions (coaxial spheroids) or
-/// nearly so; docs/algorithms/ellipsoid_contact.md counts such pairs. Cost: about 2 us separated,
-/// up to 3 ms for such an overlap.
+/// rounding. Two ellipsoids: error below kGapRoundoff times the larger body for aspect ratios up to
+/// 200. Cost: about 1 us separated, up to 2 ms for deep overlaps.
 [[nodiscard]] Gap gap(const Ellipsoid& a, const Ellipsoid& b, const Vec3& r_ab) noexcept;
 [[nodiscard]] Gap gap(const Sphere& a, const Ellipsoid& b, const Vec3& r_ab) noexcept;
 

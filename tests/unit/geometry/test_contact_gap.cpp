@@ -66,19 +66,10 @@ TEST_CASE("gap is no less than a search in long double finds, within its error")
   });
 }
 
-TEST_CASE("the error of gap is below 1e-12 of the larger body, but for a few deep and even pairs") {
-  int pairs = 0, wide = 0;
-  for_pairs(13, 60, [&](const Pair& p, PairClass pair_class, int) {
-    const Gap g = gap(p.a, p.b, p.r);
-    ++pairs;
-    if (g.error <= kGapRoundoff * larger_radius(p)) return;
-    ++wide;
-    // Ties over a continuum of directions need a deep overlap, which these classes lack.
-    CHECK(pair_class != PairClass::far);
-    CHECK(g.error <= 1e-5 * larger_radius(p));
+TEST_CASE("the error of gap is below 1e-12 of the larger body") {
+  for_pairs(13, 60, [&](const Pair& p, PairClass, int) {
+    REQUIRE(gap(p.a, p.b, p.r).error <= kGapRoundoff * larger_radius(p));
   });
-  CAPTURE(pairs, wide);
-  CHECK(wide <= pairs / 500);
 }
 
 TEST_CASE("gap has the sign that decide proves") {
