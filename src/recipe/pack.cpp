@@ -311,6 +311,26 @@ InclusionMix draw_mix(const Recipe& recipe) {
   return mix;
 }
 
+// What the summary says of groups whose saturation cannot be proven.
+std::vector<std::string> limits_of_redrawing(const Recipe& recipe, const InclusionMix& mix) {
+  const std::vector<bool> redrawn = rsa_options(recipe).redraw_orientation;
+  std::vector<std::string> sentences;
+  for (std::size_t g = 0; g < redrawn.size(); ++g) {
+    const auto unequal = [&](const OrderedBody& b) {
+      const auto* const ellipsoid = std::get_if<Ellipsoid>(&b.body);
+      if (ellipsoid == nullptr || b.group != static_cast<int>(g)) return false;
+      const Vec3& s = ellipsoid->semi_axes;
+      return s.x != s.y && s.y != s.z && s.x != s.z;
+    };
+    if (!redrawn[g] || std::none_of(mix.bodies.begin(), mix.bodies.end(), unequal)) continue;
+    sentences.push_back(recipe.groups[g].name +
+                        ": of redrawn ellipsoids with three different semi-axes none is proven to "
+                        "fit nowhere; one that finds no place is given up after max_trials = " +
+                        std::to_string(recipe.rsa.max_trials));
+  }
+  return sentences;
+}
+
 }  // namespace
 
 PackOutcome pack(const Recipe& recipe, RunContext run) {
@@ -329,6 +349,9 @@ PackOutcome pack(const Recipe& recipe, RunContext run) {
       recipe.method == PackMethod::rsa ? "as ordered" : "auto: the method there is for all shapes";
   outcome.stop = name(result.stop);
   outcome.derived = mix.derived;
+  for (std::string& sentence : limits_of_redrawing(recipe, mix)) {
+    outcome.derived.push_back(std::move(sentence));
+  }
   outcome.trials = result.trials;
   outcome.restarts = result.restarts;
   outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

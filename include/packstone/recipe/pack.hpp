@@ -38,10 +38,12 @@ struct PackOutcome {
   std::string method_reason;    ///< Why this method, for people.
   std::string stop;             ///< Why it stopped: "target_reached", "saturated", ...
   std::vector<GroupOutcome> groups;
-  std::vector<std::string> derived;  ///< What two of count, fraction and size gave for the third.
-  double seconds = 0.0;              ///< Processor time of the method [s].
-  std::int64_t trials = 0;           ///< Positions tried.
-  std::int64_t restarts = 0;         ///< Fresh starts.
+  /// Sentences: what two of count, fraction and size gave for the third, and what of the order is
+  /// met only roughly.
+  std::vector<std::string> derived;
+  double seconds = 0.0;       ///< Processor time of the method [s].
+  std::int64_t trials = 0;    ///< Positions tried.
+  std::int64_t restarts = 0;  ///< Fresh starts.
 };
 
 /// Makes the packing that `recipe` orders and checks it, independently of how it was made.

@@ -89,8 +89,13 @@ std::string derived_sentence(const InclusionGroup& group, int index,
 }
 
 std::string open_count_sentence(const InclusionGroup& group, int index) {
+  const bool tensor =
+      !is_round(group.shape) && std::holds_alternative<TensorOrientation>(group.orientation);
   return plain_label(group, index) +
-         ": the count is open, inclusions are added until the cell is full";
+         ": the count is open, inclusions are added until the cell is full" +
+         (tensor ? "; the orientation tensor is met by chance only, to about 0.4 / sqrt(count), as "
+                   "a sample is corrected only where its count is known"
+                 : "");
 }
 
 }  // namespace packstone::mix

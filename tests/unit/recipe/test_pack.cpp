@@ -133,6 +133,25 @@ TEST_CASE("redrawn orientations are reported beside those that were drawn") {
   CHECK(kept.groups[0].tensor->xx == Approx(kept.groups[0].ordered_tensor->xx).margin(1e-13));
 }
 
+TEST_CASE("what is met only roughly is said beside what was derived") {
+  const std::string open_rods =
+      "[[inclusions]]\nshape = \"ellipse\"\nsemi_axes = [0.1, 0.05]\n"
+      "orientation = { tensor = [[0.7, 0], [0, 0.3]] }\n";
+  const PackOutcome open = pack(order(open_rods + "[packing.rsa]\nmax_trials = 100\n", "[1, 1]"));
+  REQUIRE(open.derived.size() == 1);
+  CHECK_THAT(open.derived[0], Catch::Contains("tensor is met by chance only"));
+
+  const std::string grains =
+      "[[inclusions]]\nname = \"grains\"\nshape = \"ellipsoid\"\naspect = [2, 3]\ncount = 5\n"
+      "fraction = 0.02\n";
+  CHECK(pack(order(grains)).derived.size() == 1);
+  const PackOutcome redrawn =
+      pack(order(grains + "[packing.rsa]\nredraw_orientations = true\nmax_trials = 77\n"));
+  REQUIRE(redrawn.derived.size() == 2);
+  CHECK_THAT(redrawn.derived[1],
+             Catch::StartsWith("grains: ") && Catch::Contains("given up after max_trials = 77"));
+}
+
 TEST_CASE("what cannot be is refused before any work") {
   const std::string ball = "[[inclusions]]\nshape = \"sphere\"\n";
   CHECK_THROWS_WITH(pack(order(ball + "count = 100\nfraction = 0.75\n")),
