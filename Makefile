@@ -4,7 +4,7 @@ BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
 DEMO := fibers spheres ellipses_2d
 
-.PHONY: help setup setup-test build demo test validate bench format check-format layers tidy sanitize fuzz coverage install clean
+.PHONY: help setup setup-test build demo test validate bench format check-format layers tidy sanitize tsan fuzz coverage install clean
 
 help:  ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -51,6 +51,14 @@ sanitize: setup-test  ## Fast tests under the address and undefined-behavior san
 	cmake --preset asan-ubsan $(CMAKE_FLAGS)
 	cmake --build --preset asan-ubsan -j $(BUILD_JOBS)
 	ctest --test-dir build-asan-ubsan -L fast -j $(BUILD_JOBS) --output-on-failure
+
+# Test programs whose code uses threads.
+THREADED := core spatial structure generate io recipe
+
+tsan: setup-test  ## Fast tests that use threads under the thread sanitizer
+	cmake --preset tsan $(CMAKE_FLAGS)
+	cmake --build --preset tsan -j $(BUILD_JOBS) --target $(THREADED:%=test_%)
+	for t in $(THREADED); do ctest --test-dir build-tsan -R "^$$t\$$" --output-on-failure || exit 1; done
 
 fuzz: setup-test  ## Build the fuzz targets and run each for a minute
 	cmake --preset fuzz $(CMAKE_FLAGS)

@@ -9,10 +9,17 @@
 
 namespace packstone {
 
-/// Throws FileError.
+/// Throws FileError. A file of the early format, whose metadata have no checksums, is read in a
+/// process of its own: on some damaged ones the library crashes, or never ends.
 [[nodiscard]] Packing read_packing_hdf5(const std::filesystem::path& path);
+
+/// The same in this process, whatever the format.
+[[nodiscard]] Packing read_packing_hdf5_here(const std::filesystem::path& path);
 
 /// Throws FileError, or InvalidArgument as write_packing().
 void write_packing_hdf5(const std::filesystem::path& path, const Packing& packing);
+
+/// Writes to `path` as it stands, inside a session of the caller. Throws InvalidArgument.
+void write_hdf5_here(const std::filesystem::path& path, const Packing& packing);
 
 }  // namespace packstone

@@ -146,7 +146,9 @@ Hdf5Handle create_file(const std::filesystem::path& path) {
           "cannot be created"};
 }
 
-void write_file(const std::filesystem::path& path, const Packing& packing) {
+}  // namespace
+
+void write_hdf5_here(const std::filesystem::path& path, const Packing& packing) {
   Hdf5Handle file = create_file(path);
   {
     Hdf5Folder root(file, "");
@@ -160,15 +162,13 @@ void write_file(const std::filesystem::path& path, const Packing& packing) {
   file.close("writing failed");
 }
 
-}  // namespace
-
 void write_packing_hdf5(const std::filesystem::path& path, const Packing& packing) {
   check_storable(packing);
   AtomicFile target(path);
   if (!target.replaces()) throw FileError(path.string() + ": is not a regular file");
   try {
     const Hdf5Session session;
-    write_file(target.temporary(), packing);
+    write_hdf5_here(target.temporary(), packing);
   } catch (const InvalidArgument& problem) {
     throw FileError(path.string() + ": " + problem.what());
   }

@@ -11,7 +11,6 @@ import subprocess
 import tempfile
 import time
 import unittest
-import unittest.mock
 
 PROGRAM = os.environ["PACKSTONE"]
 EXAMPLES = pathlib.Path(os.environ["PACKSTONE_EXAMPLES"])
@@ -408,11 +407,15 @@ class Checking(Case):
 
     def test_the_hdf5_library_adds_nothing_about_a_damaged_file(self):
         damaged = pathlib.Path(__file__).parents[1] / "fuzz/corpus/packing_hdf5/found_huge_header.h5"
-        # In a build with sanitizers: the library asks for too much and forgets some memory.
-        with unittest.mock.patch.dict(os.environ, ASAN_OPTIONS="allocator_may_return_null=1:detect_leaks=0"):
-            done = self.run_program("check", damaged, code=2)
+        done = self.run_program("check", damaged, code=2)
         self.assertIn("found_huge_header.h5", done.stderr)
         self.assertNotIn("closing library", done.stderr)
+
+    def test_a_damaged_file_that_crashes_the_hdf5_library_ends_in_a_message(self):
+        # What the library reads beyond its buffers, and so whether it crashes, is left to chance.
+        done = subprocess.run([PROGRAM, "check", pathlib.Path(__file__).parent / "damaged_early_format.h5"],
+                              cwd=self.folder, capture_output=True, text=True)
+        self.assertIn(done.returncode, [0, 1, 2], done.stderr)
 
     def test_a_witness_is_written_beside_the_verdict(self):
         self.pack_fibers()
