@@ -14,6 +14,15 @@ Search as_search(StopRequest request) {
 
 constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
 
+// What trials may cost, as parts of what the next means will cost. Measured: the times of small
+// packings are flat around these.
+constexpr double kPlainPerMask = 0.6;
+constexpr double kTurnedPerList = 30.0;  // A mask thins poses far better than a list of them does.
+
+std::int64_t part_of(std::int64_t cost, double part) {
+  return static_cast<std::int64_t>(part * static_cast<double>(cost));
+}
+
 }  // namespace
 
 Turning turning_on_trial(const OrderedBody& ordered, const RsaOptions& options) {
@@ -30,6 +39,7 @@ void Adsorption::start(std::uint64_t key) {
   key_ = key;
   placed_.clear();
   list_.reset();
+  mask_.reset();
 }
 
 Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
@@ -40,60 +50,100 @@ Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
       return as_search(stop);
     }
   }
-  const Turning turning = turning_on_trial(ordered, options_);
-  const bool same = list_ && list_->turning() == turning && list_->body() == ordered.body;
+  turning_ = turning_on_trial(ordered, options_);
+  const Body body = in_standard_pose(ordered.body, turning_);
+  const bool same = list_ && list_->turning() == turning_ && list_->body() == body;
   if (!same) list_.reset();
-  candidate_ = Candidate(ordered.body, placed_.needs_extents());
+  candidate_ = Candidate(body, placed_.needs_extents());
+  const double r = candidate_.outline.in_radius;
+  domain_ = centers_inside_walls(
+      cell_, turning_ == Turning::none ? candidate_.half_extents : Vec3{r, r, r});
+  if (cell_.dimension == 2) domain_.lo.z = domain_.hi.z = 0.0;
   trials_in_row_ = 0;
+  item_ = item;
   if (!same) {
-    const Search plain = try_anywhere(turning, item);
-    if (plain != Search::no_room) return plain;
-    list_.emplace(placed_, candidate_, turning);
+    const Search search = search_without_list();
+    if (search != Search::no_room) return search;
+    list_.emplace(placed_, candidate_, turning_, mask_ ? &*mask_ : nullptr);
   }
   return try_vacancies(item);
 }
 
 // A center anywhere.
-Vec3 Adsorption::draw_center(const CenterBox& box, TrialNumbers::Row numbers) const {
-  Vec3 center{0, 0, 0};
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell_.dimension); ++axis) {
-    const double length = box.hi[axis] - box.lo[axis];
-    center[axis] = std::min(box.lo[axis] + length * numbers.uniform(), box.hi[axis]);
+inline Vec3 Adsorption::draw_center(TrialNumbers::Row& numbers) const {
+  const Vec3 &lo = domain_.lo, &hi = domain_.hi;
+  const double u = numbers.uniform(), v = numbers.uniform(), w = numbers.uniform();
+  return {std::min(lo.x + (hi.x - lo.x) * u, hi.x), std::min(lo.y + (hi.y - lo.y) * v, hi.y),
+          std::min(lo.z + (hi.z - lo.z) * w, hi.z)};
+}
+
+Candidate Adsorption::draw_turned(TrialNumbers::Row& numbers) const {
+  if (turning_ == Turning::none) return candidate_;
+  return Candidate(turned_at_random(candidate_.body, turning_, numbers), placed_.needs_extents());
+}
+
+bool Adsorption::fits(const Vec3& center, TrialNumbers::Row& numbers, std::int64_t& cost) const {
+  cost += Cost::trial;
+  PlacedBodies::View view;
+  if (!placed_.look_around(candidate_.outline, center, view, cost)) return false;
+  if (turning_ == Turning::none) {
+    return placed_.leaves_room_for(candidate_, center, view, cost);
   }
-  return wrapped(cell_, center);
+  const Candidate turned = draw_turned(numbers);
+  cost += Cost::trial;
+  return placed_.leaves_room_for(turned, center, view, cost) &&
+         is_inside(centers_inside_walls(cell_, turned.half_extents), center, cell_.dimension) &&
+         clears_own_images(cell_, turned, options_.min_gap);
 }
 
-Candidate Adsorption::draw_turned(Turning turning, std::int64_t item, std::int64_t k) const {
-  RandomStream random(key_, StreamId::rsa_orientation, static_cast<std::uint64_t>(item),
-                      static_cast<std::uint64_t>(k));
-  return Candidate(turned_at_random(candidate_.body, turning, random), placed_.needs_extents());
-}
-
-// Search::no_room here only means that plain trials have cost enough.
-Search Adsorption::try_anywhere(Turning turning, std::int64_t item) {
-  const bool turns = turning != Turning::none;
-  const double r = candidate_.outline.in_radius;
-  const auto box = centers_inside_walls(cell_, turns ? Vec3{r, r, r} : candidate_.half_extents);
-  const TrialNumbers numbers(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item));
+// Trials at the centers that `draw` gives. Search::no_room here only means that they have cost
+// enough.
+template <class Draw>
+Search Adsorption::try_centers(const TrialNumbers& numbers, std::int64_t budget, const Draw& draw) {
   const auto trial = [&](std::int64_t k, std::int64_t& cost) {
-    cost += Cost::trial;
-    const Vec3 center = draw_center(box, numbers.trial(k));
-    PlacedBodies::Nearby nearby;
-    if (!placed_.look_around(candidate_.outline, center, nearby, cost)) return false;
-    if (!turns) return placed_.leaves_room_for(candidate_, center, nearby, cost);
-    const double ball = candidate_.outline.in_radius;
-    if (!placed_.ball_leaves_room(ball, center, nearby, cost)) return false;
-    const Candidate turned = draw_turned(turning, item, k);
-    cost += Cost::trial;
-    return placed_.leaves_room_for(turned, center, nearby, cost) &&
-           is_inside(centers_inside_walls(cell_, turned.half_extents), center, cell_.dimension) &&
-           clears_own_images(cell_, turned, options_.min_gap);
+    TrialNumbers::Row row = numbers.trial(k);
+    const Vec3 center = draw(row);
+    return fits(center, row, cost);
   };
-  const TrialRun outcome = run_trials(0, options_.max_trials, plain_budget(turning), run_, trial);
+  const TrialRun outcome = run_trials(trials_in_row_, options_.max_trials, budget, run_, trial);
   return conclude(outcome, [&](std::int64_t k) {
-    const Vec3 center = draw_center(box, numbers.trial(k));
-    placed_.add(turns ? draw_turned(turning, item, k) : candidate_, center);
+    TrialNumbers::Row row = numbers.trial(k);
+    const Vec3 center = wrapped(cell_, draw(row));
+    placed_.add(draw_turned(row), center);
   });
+}
+
+Search Adsorption::try_anywhere(std::int64_t budget) {
+  const TrialNumbers numbers(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item_));
+  return try_centers(numbers, budget, [&](TrialNumbers::Row& row) { return draw_center(row); });
+}
+
+Search Adsorption::try_open_voxels() {
+  mask_->notice_placed();
+  if (mask_->size() == 0) return Search::no_room;
+  const TrialNumbers numbers(key_, StreamId::rsa_voxel, static_cast<std::uint64_t>(item_));
+  return try_centers(numbers, mask_budget(),
+                     [&](TrialNumbers::Row& row) { return mask_->draw(row); });
+}
+
+// The mask for the candidate: that of the last body where it has the same core.
+bool Adsorption::prepare_mask() {
+  const Outline core =
+      turning_ == Turning::none ? candidate_.outline : ball_outline(candidate_.outline.in_radius);
+  if (placed_.uses_grid() || core.half_length > 0.0 || core.ends == Outline::Ends::loose) {
+    mask_.reset();
+  } else if (!mask_ || !mask_->serves(core)) {
+    mask_.emplace(placed_, core, domain_);
+  }
+  return mask_.has_value();
+}
+
+Search Adsorption::search_without_list() {
+  Search search = try_anywhere(0);
+  if (search != Search::no_room) return search;
+  if (!prepare_mask()) return try_anywhere(plain_budget());
+  search = try_anywhere(part_of(mask_->expected_cost(), kPlainPerMask));
+  return search == Search::no_room ? try_open_voxels() : search;
 }
 
 Search Adsorption::try_vacancies(std::int64_t item) {
@@ -143,17 +193,21 @@ Search Adsorption::conclude(const TrialRun& outcome, Accept&& accept) {
 // poses and is cheap to split, it offers nothing that plain trials did not.
 std::int64_t Adsorption::trial_budget() const {
   const std::int64_t split = list_->expected_split_cost();
-  if (list_->part() > 0.5 && split < plain_budget(list_->turning()) / 4) return 0;
+  if (list_->part() > 0.5 && split < plain_budget() / 4) return 0;
   const double worth = is_ball(candidate_.outline) ? 0.25 : 1.0;
-  return static_cast<std::int64_t>(worth * static_cast<double>(split) *
-                                   list_->kept_by_last_split());
+  return part_of(split, worth * list_->kept_by_last_split());
+}
+
+std::int64_t Adsorption::mask_budget() const {
+  if (turning_ != Turning::none) return part_of(plain_budget(), kTurnedPerList);
+  return mask_->size() * (Cost::trial + placed_.size() * Cost::pair);
 }
 
 // Plain trials may cost half of what a list of vacancies is likely to: a mean over those that
 // were needed so far, or a guess. So the two together cost little more than the better one.
-std::int64_t Adsorption::plain_budget(Turning turning) const {
+std::int64_t Adsorption::plain_budget() const {
   if (usual_list_cost_ > 0) return usual_list_cost_ / 2;
-  const std::int64_t per_body = turning == Turning::none ? 1000 : 6000;
+  const std::int64_t per_body = turning_ == Turning::none ? 2000 : 12000;
   return per_body * (10 + std::int64_t{placed_.size()});
 }
 

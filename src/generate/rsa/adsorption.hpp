@@ -12,6 +12,7 @@
 #include "generate/rsa/trial_numbers.hpp"
 #include "generate/rsa/trials.hpp"
 #include "generate/rsa/vacancy_list.hpp"
+#include "generate/rsa/voxel_mask.hpp"
 #include "packstone/core/run_context.hpp"
 #include "packstone/generate/rsa.hpp"
 
@@ -41,23 +42,34 @@ class Adsorption {
   [[nodiscard]] std::int64_t trials() const { return trials_; }
 
  private:
-  [[nodiscard]] Vec3 draw_center(const CenterBox& box, TrialNumbers::Row numbers) const;
-  [[nodiscard]] Candidate draw_turned(Turning turning, std::int64_t item, std::int64_t k) const;
-  Search try_anywhere(Turning turning, std::int64_t item);
+  [[nodiscard]] Vec3 draw_center(TrialNumbers::Row& numbers) const;
+  [[nodiscard]] Candidate draw_turned(TrialNumbers::Row& numbers) const;
+  [[nodiscard]] bool fits(const Vec3& center, TrialNumbers::Row& numbers, std::int64_t& cost) const;
+  template <class Draw>
+  Search try_centers(const TrialNumbers& numbers, std::int64_t budget, const Draw& draw);
+  Search search_without_list();
+  Search try_anywhere(std::int64_t budget);
+  bool prepare_mask();
+  Search try_open_voxels();
+  [[nodiscard]] std::int64_t mask_budget() const;
   Search try_vacancies(std::int64_t item);
   template <class Draw, class Trial>
   Search split_and_try(const Draw& draw, const Trial& trial);
   template <class Accept>
   Search conclude(const TrialRun& outcome, Accept&& accept);
   [[nodiscard]] std::int64_t trial_budget() const;
-  [[nodiscard]] std::int64_t plain_budget(Turning turning) const;
+  [[nodiscard]] std::int64_t plain_budget() const;
 
   const Cell& cell_;
   const RsaOptions& options_;
   const RunContext& run_;
   PlacedBodies placed_;
   std::optional<VacancyList> list_;  // For candidate_ and its like, when plain trials did not do.
+  std::optional<VoxelMask> mask_;
   Candidate candidate_;
+  std::int64_t item_ = 0;            // Number of candidate_.
+  Turning turning_ = Turning::none;  // Of candidate_.
+  CenterBox domain_;                 // Where its center may be.
   std::uint64_t key_ = 0;
   std::int64_t trials_ = 0;
   std::int64_t trials_in_row_ = 0;

@@ -28,6 +28,13 @@ struct Outline {
 
 [[nodiscard]] Outline outline_of(const Body& body) noexcept;
 
+/// That of a ball.
+[[nodiscard]] inline Outline ball_outline(double radius) noexcept {
+  Outline outline;
+  outline.in_radius = outline.circum_radius = outline.radius = radius;
+  return outline;
+}
+
 /// Is the body a sphere or a disk?
 [[nodiscard]] inline bool is_ball(const Outline& outline) noexcept {
   return outline.ends == Outline::Ends::round && outline.half_length == 0.0;

@@ -1,7 +1,6 @@
 #include "generate/rsa/placed_bodies.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -11,14 +10,6 @@
 
 namespace packstone::rsa {
 namespace {
-
-// In the search one by one: covers the rounding of floats, and that of the coarse coordinates
-// relative to the longest edge [-].
-constexpr float kFloatSlack = 1e-5F;
-constexpr double kCoarseSlack = 0x1p-28;
-
-// The part of the reach, squared, that counts as near in the search one by one [-].
-constexpr float kNearPart = 0.25F;
 
 // The difference d of two coordinates brought to the nearest image; per_length is 1 / length, or 0
 // where nothing is periodic. Adding and subtracting 1.5 * 2^52 rounds to an integer, without a
@@ -119,13 +110,9 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
       shortest_period_(std::numeric_limits<double>::infinity()),
       period_{0.0, 0.0, 0.0},
       per_period_{0.0, 0.0, 0.0},
-      grid_step_{0.0, 0.0, 0.0},
-      per_grid_step_{0.0, 0.0, 0.0},
+      lanes_(cell_),
       grid_(cell) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
-    // 2^32 steps to a period; along walls half as many, so that no difference wraps around.
-    grid_step_[axis] = cell.size[axis] * (cell.periodic[axis] ? 0x1p-32 : 0x1p-30);
-    per_grid_step_[axis] = 1.0 / grid_step_[axis];
     needs_extents_ |= !cell.periodic[axis];
     if (!cell.periodic[axis]) continue;
     period_[axis] = cell.size[axis];
@@ -134,11 +121,7 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
   }
   const auto count = static_cast<std::size_t>(expected);
   bodies_.reserve(count);
-  if (use_grid_) {
-    grid_.reserve(expected);
-    return;
-  }
-  lanes_.reserve((count + 3) / 4);
+  if (use_grid_) grid_.reserve(expected);
 }
 
 void PlacedBodies::clear() {
@@ -162,117 +145,45 @@ void PlacedBodies::add(const Candidate& candidate, const Vec3& center) {
   if (use_grid_) {
     grid_.insert(size(), center, packstone::half_extents(candidate.body));
   } else {
-    add_lane(candidate.outline, center);
+    lanes_.add(candidate.outline, center);
   }
   bodies_.push_back({candidate.body, candidate.outline, center});
   largest_circum_radius_ = std::max(largest_circum_radius_, candidate.outline.circum_radius);
 }
 
-// The slack for the rounding of floats goes into the radii, once and for all.
-void PlacedBodies::add_lane(const Outline& outline, const Vec3& center) {
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const auto lane = static_cast<std::size_t>(size() % 4);
-  if (lane == 0) {
-    lanes_.push_back(Lanes{{}, {}, {}, {nan, nan, nan, nan}, {nan, nan, nan, nan}});
-  }
-  const GridPoint p = grid_point(center);
-  Lanes& lanes = lanes_.back();
-  lanes.x[lane] = p.x;
-  lanes.y[lane] = p.y;
-  lanes.z[lane] = p.z;
-  lanes.reach[lane] = static_cast<float>(outline.circum_radius * (1.0 + kFloatSlack));
-  const double coarse = kCoarseSlack * std::max({cell_.size.x, cell_.size.y, cell_.size.z});
-  lanes.core[lane] =
-      static_cast<float>(std::max(0.0, outline.in_radius - coarse) * (1.0 - kFloatSlack));
-}
-
-bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, Nearby& nearby,
+bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, View& view,
                                std::int64_t& cost) const {
   if (use_grid_) return true;
-  using Signed = std::int32_t __attribute__((vector_size(16)));
-  const double coarse = kCoarseSlack * std::max({cell_.size.x, cell_.size.y, cell_.size.z});
-  const auto reach =
-      static_cast<float>((outline.circum_radius + min_gap_ + coarse) * (1.0 + kFloatSlack));
-  const auto core = static_cast<float>((outline.in_radius + min_gap_) * (1.0 - kFloatSlack));
-  const GridPoint c = grid_point(center);
-  const auto sx = static_cast<float>(grid_step_[0]), sy = static_cast<float>(grid_step_[1]),
-             sz = static_cast<float>(grid_step_[2]);
-  const auto any = [](const Signed& flags) {
-    const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(flags);
-    return (halves[0] | halves[1]) != 0;
-  };
-  // Most trials end with a body that covers the center, so this alone is looked for first, from
-  // the end where the stouter bodies stand.
-  constexpr std::size_t capacity = (kMostSearchedOneByOne + 3) / 4;
-  Floats distance_sq[capacity];
-  const std::size_t count = lanes_.size();
-  const bool backwards = count > 0 && lanes_.back().core[0] > lanes_.front().core[0];
-  cost += static_cast<std::int64_t>(count) / 2 * Cost::pair;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t group = backwards ? count - 1 - k : k;
-    const Lanes& lanes = lanes_[group];
-    // Unsigned differences wrap around as the cell does: these are the nearest images.
-    const Floats dx = sx * __builtin_convertvector(std::bit_cast<Signed>(lanes.x - c.x), Floats);
-    const Floats dy = sy * __builtin_convertvector(std::bit_cast<Signed>(lanes.y - c.y), Floats);
-    const Floats dz = sz * __builtin_convertvector(std::bit_cast<Signed>(lanes.z - c.z), Floats);
-    const Floats sum = dx * dx + dy * dy + dz * dz;
-    const Floats near_by = lanes.core + core;
-    if (any(sum < near_by * near_by)) return false;
-    distance_sq[group] = sum;
-  }
-  for (std::size_t group = 0; group < count; ++group) {
-    const Floats far = lanes_[group].reach + reach;
-    const Floats far_sq = far * far;
-    const Signed within = distance_sq[group] <= far_sq;
-    if (!any(within)) continue;
-    const Signed is_near = distance_sq[group] <= kNearPart * far_sq;
-    for (std::int32_t lane = 0; lane < 4; ++lane) {
-      const std::int32_t body = 4 * static_cast<std::int32_t>(group) + lane;
-      nearby.nearer[static_cast<std::size_t>(nearby.nearer_count)] = body;
-      nearby.nearer_count -= is_near[lane];
-      nearby.farther[static_cast<std::size_t>(nearby.farther_count)] = body;
-      nearby.farther_count -= within[lane] & ~is_near[lane];
-    }
-  }
-  return true;
+  cost += static_cast<std::int64_t>(lanes_.groups()) * Cost::pair;
+  return !lanes_.ball_overlaps(outline.in_radius, min_gap_, center, view);
 }
 
-bool PlacedBodies::ball_leaves_room(double radius, const Vec3& center, const Nearby& nearby,
-                                    std::int64_t& cost) const {
-  cost += nearby.nearer_count * Cost::pair;
-  for (std::int32_t k = 0; k < nearby.nearer_count; ++k) {
-    const Placed& other = bodies_[nearby.nearer[static_cast<std::size_t>(k)]];
-    if (meets_ball(other.outline, nearest_image(center - other.center), radius, min_gap_)) {
-      return false;
-    }
+bool PlacedBodies::leaves_room_for(const Candidate& candidate, const Vec3& center, const View& view,
+                                   std::int64_t& cost) const {
+  const Outline& outline = candidate.outline;
+  if (!use_grid_ && outline.half_length > 0.0 && outline.ends != Outline::Ends::loose) {
+    cost += static_cast<std::int64_t>(lanes_.groups()) * Cost::glance;
+    if (lanes_.rod_overlaps(outline, min_gap_, view)) return false;
   }
-  return true;
-}
-
-bool PlacedBodies::leaves_room_for(const Candidate& candidate, const Vec3& center,
-                                   const Nearby& nearby, std::int64_t& cost) const {
-  if (!use_grid_ && nearby.nearer_count + nearby.farther_count == 0) return true;
   NearPairs near(*this, candidate);
   const bool possible = use_grid_ ? search_grid(candidate, center, near)
-                                  : search_listed(candidate, center, nearby, near);
+                                  : search_listed(candidate, center, view, near);
   const bool fits = possible && near.settle();
   cost += near.cost();
   return fits;
 }
 
-bool PlacedBodies::search_listed(const Candidate& candidate, const Vec3& center,
-                                 const Nearby& nearby, NearPairs& near) const {
+bool PlacedBodies::search_listed(const Candidate& candidate, const Vec3& center, const View& view,
+                                 NearPairs& near) const {
   const double reach = candidate.outline.circum_radius + min_gap_;
   const bool one_image_each = reach + largest_circum_radius_ < 0.5 * shortest_period_;
-  const auto look_at = [&](std::int32_t body) {
+  std::array<std::int32_t, BodyLanes::kMost> bodies;
+  const std::int32_t count = lanes_.list_near(reach, view, bodies);
+  for (std::int32_t k = 0; k < count; ++k) {
+    const std::int32_t body = bodies[static_cast<std::size_t>(k)];
     const Vec3 r = nearest_image(bodies_[body].center - center);
-    return near.add(body, r) && (one_image_each || add_farther_images(body, r, reach, near));
-  };
-  for (std::int32_t k = 0; k < nearby.nearer_count; ++k) {
-    if (!look_at(nearby.nearer[static_cast<std::size_t>(k)])) return false;
-  }
-  for (std::int32_t k = 0; k < nearby.farther_count; ++k) {
-    if (!look_at(nearby.farther[static_cast<std::size_t>(k)])) return false;
+    if (!near.add(body, r)) return false;
+    if (!one_image_each && !add_farther_images(body, r, reach, near)) return false;
   }
   return true;
 }
@@ -320,13 +231,6 @@ bool PlacedBodies::add_all_farther_images(std::int32_t body, const Vec3& r, doub
 Vec3 PlacedBodies::nearest_image(const Vec3& d) const {
   return {nearest(d.x, period_[0], per_period_[0]), nearest(d.y, period_[1], per_period_[1]),
           nearest(d.z, period_[2], per_period_[2])};
-}
-
-PlacedBodies::GridPoint PlacedBodies::grid_point(const Vec3& p) const {
-  const auto coordinate = [&](std::size_t axis) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(p[axis] * per_grid_step_[axis]));
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "generate/rsa/body_lanes.hpp"
 #include "generate/rsa/outline.hpp"
 #include "packstone/core/cell.hpp"
 #include "packstone/geometry/body.hpp"
@@ -14,13 +15,13 @@
 
 namespace packstone::rsa {
 
-/// Costs of the steps of a trial and of a test of a vacancy, in units of about 10 ns. Decisions on
+/// Costs of the steps of a trial and of a test of a vacancy, in units of about 5 ns. Decisions on
 /// how to go on rest on these counts, never on clocks, so that they are the same everywhere.
 struct Cost {
-  static constexpr std::int64_t trial = 8;    ///< Random numbers, and what is done once per trial.
+  static constexpr std::int64_t trial = 4;    ///< Random numbers, and what is done once per trial.
   static constexpr std::int64_t pair = 1;     ///< A look at a pair of balls.
-  static constexpr std::int64_t glance = 2;   ///< A look at a pair of outlines.
-  static constexpr std::int64_t kernel = 30;  ///< The exact test.
+  static constexpr std::int64_t glance = 4;   ///< A look at a pair of outlines.
+  static constexpr std::int64_t kernel = 60;  ///< The exact test.
 };
 
 /// A body on trial, with what every trial needs to know of it.
@@ -53,6 +54,9 @@ class PlacedBodies {
   /// Do candidates need half extents: for the grid, or for walls?
   [[nodiscard]] bool needs_extents() const { return needs_extents_; }
 
+  /// Are there too many bodies to search them one by one?
+  [[nodiscard]] bool uses_grid() const { return use_grid_; }
+
   void clear();
   void add(const Candidate& candidate, const Vec3& center);
 
@@ -63,24 +67,19 @@ class PlacedBodies {
   [[nodiscard]] const Outline& outline(std::int32_t i) const { return bodies_[i].outline; }
   [[nodiscard]] const Vec3& center(std::int32_t i) const { return bodies_[i].center; }
 
-  /// What stands near a center.
-  struct Nearby;
+  /// The bodies as seen from one center; left unset where the grid is searched.
+  using View = BodyLanes::View;
 
-  /// Looks at balls: false when a body with the inscribed and circumscribed radii of `outline`
-  /// overlaps a body that stands, however it is turned. `nearby` learns who comes within reach.
-  [[nodiscard]] bool look_around(const Outline& outline, const Vec3& center, Nearby& nearby,
+  /// Fills `view`; false when a ball of the inscribed radius of `outline` is seen to overlap a body
+  /// that stands, and with it the body of `outline`, however it is turned.
+  [[nodiscard]] bool look_around(const Outline& outline, const Vec3& center, View& view,
                                  std::int64_t& cost) const;
 
-  /// Does a ball of `radius` keep its distance from the nearer ones of `nearby`, as far as a glance
-  /// shows?
-  [[nodiscard]] bool ball_leaves_room(double radius, const Vec3& center, const Nearby& nearby,
-                                      std::int64_t& cost) const;
-
   /// Does `candidate`, centered at `center` inside the cell, keep its distance from all bodies that
-  /// stand? Its own images and the walls are not looked at. `nearby` is from look_around() for the
-  /// same center and radii. Adds to `cost`.
+  /// stand? Its own images and the walls are not looked at. `view` is from look_around() for the
+  /// same center. Adds to `cost`.
   [[nodiscard]] bool leaves_room_for(const Candidate& candidate, const Vec3& center,
-                                     const Nearby& nearby, std::int64_t& cost) const;
+                                     const View& view, std::int64_t& cost) const;
 
   /// All images that can come within `reach` + min_gap of a point of the box [lo, hi], where reach
   /// is the circumscribed radius of the body whose center the point is.
@@ -98,28 +97,13 @@ class PlacedBodies {
   };
   class NearPairs;
 
-  // Four bodies side by side for the search one by one, in vector registers: the compilers' own
-  // vectors, which any processor of the last twenty years has.
-  using Words = std::uint32_t __attribute__((vector_size(16)));
-  using Floats = float __attribute__((vector_size(16)));
-  struct Lanes {
-    Words x, y, z;       // Coarse coordinates.
-    Floats reach, core;  // Circumscribed and inscribed radii; free lanes hold NaN [L].
-  };
-
-  bool search_listed(const Candidate& candidate, const Vec3& center, const Nearby& nearby,
+  bool search_listed(const Candidate& candidate, const Vec3& center, const View& view,
                      NearPairs& near) const;
   bool add_farther_images(std::int32_t body, const Vec3& r, double reach, NearPairs& near) const;
   bool add_all_farther_images(std::int32_t body, const Vec3& r, double far, NearPairs& near) const;
   void switch_to_grid();
-  void add_lane(const Outline& outline, const Vec3& center);
   bool search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near) const;
 
-  // Coordinates in 2^-32 of the period, which wrap around as the cell does.
-  struct GridPoint {
-    std::uint32_t x, y, z;
-  };
-  [[nodiscard]] GridPoint grid_point(const Vec3& p) const;
   [[nodiscard]] Vec3 nearest_image(const Vec3& d) const;
 
   Cell cell_;
@@ -129,27 +113,15 @@ class PlacedBodies {
   double shortest_period_;            // Infinite without periodic axes.
   std::array<double, 3> period_;      // 0 along axes that are not periodic.
   std::array<double, 3> per_period_;  // 1 / period, or 0.
-  std::array<double, 3> grid_step_;   // Of the coarse coordinates; 0 along z in 2D [L].
   double largest_circum_radius_ = 0.0;
-  std::array<double, 3> per_grid_step_;
   std::vector<Placed> bodies_;
-  std::vector<Lanes> lanes_;  // For the search one by one.
+  BodyLanes lanes_;  // For the search one by one.
   HierarchicalGrid grid_;
 };
 
 /// Up to here a loop over all bodies beats the grid: for equal ellipsoids of aspect 2 at fraction
 /// 0.25 the two take the same time near 180 bodies.
 constexpr std::int32_t kMostSearchedOneByOne = 150;
-
-struct PlacedBodies::Nearby {
-  // Numbers of bodies: the nearer ones, as they are the likeliest to overlap, before the others.
-  // Not set where the grid is searched.
-  std::array<std::int32_t, kMostSearchedOneByOne + 1> nearer;
-  std::array<std::int32_t, kMostSearchedOneByOne + 1> farther;
-  std::int32_t nearer_count = 0;
-  std::int32_t farther_count = 0;
-
-  Nearby() {}  // Leaves the numbers as they are: this is made for every trial.
-};
+static_assert(kMostSearchedOneByOne <= BodyLanes::kMost);
 
 }  // namespace packstone::rsa

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "generate/rsa/outline.hpp"
+#include "generate/rsa/trial_numbers.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/body.hpp"
 
@@ -23,9 +24,12 @@ enum class Turning {
 
 [[nodiscard]] Turning turning_of(const Body& body, bool redraw) noexcept;
 
-/// `body` with an orientation uniform over all, by numbers of `random`.
+/// `body` in an orientation that is the same for all that differ in orientation alone.
+[[nodiscard]] Body in_standard_pose(const Body& body, Turning turning) noexcept;
+
+/// `body` with an orientation uniform over all, by at most four words of `numbers`.
 [[nodiscard]] Body turned_at_random(const Body& body, Turning turning,
-                                    RandomStream& random) noexcept;
+                                    TrialNumbers::Row& numbers) noexcept;
 
 /// A division of all orientations into cells of equal measure.
 ///

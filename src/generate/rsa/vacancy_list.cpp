@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/tolerances.hpp"
@@ -54,7 +55,8 @@ double box_reach(const Vec3& half, const Vec3& n) {
 
 }  // namespace
 
-VacancyList::VacancyList(const PlacedBodies& placed, const Candidate& candidate, Turning turning)
+VacancyList::VacancyList(const PlacedBodies& placed, const Candidate& candidate, Turning turning,
+                         const VoxelMask* mask)
     : placed_(placed),
       candidate_(candidate),
       turning_(turning),
@@ -74,6 +76,14 @@ VacancyList::VacancyList(const PlacedBodies& placed, const Candidate& candidate,
   images_ = placed.images_near(domain_.lo, domain_.hi, candidate.outline.circum_radius);
   noticed_ = placed.size();
   cores_ = cores_of(division_.orientations);
+  if (mask != nullptr && turning == Turning::none) {
+    start_with(*mask);
+  } else {
+    start_with_all();
+  }
+}
+
+void VacancyList::start_with_all() {
   for (std::int32_t o = 0; o < division_.orientations.count(); ++o) {
     cells_.push_back({{0, 0, 0}, o});
     for (std::size_t k = 0; k < images_.size(); ++k) {
@@ -82,6 +92,53 @@ VacancyList::VacancyList(const PlacedBodies& placed, const Candidate& candidate,
     neighbor_ends_.push_back(static_cast<std::int64_t>(neighbors_.size()));
   }
   last_split_cost_ = static_cast<std::int64_t>(neighbors_.size()) * Cost::glance + Cost::trial;
+}
+
+void VacancyList::start_with(const VoxelMask& mask) {
+  division_.counts = mask.counts();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    division_.per_count[axis] = 1.0 / division_.counts[axis];
+  std::vector<std::int32_t> all(images_.size()), layer, row;
+  std::iota(all.begin(), all.end(), 0);
+  std::array<std::int32_t, 3> last{-1, -1, -1};
+  Cells out;
+  for (std::int64_t k = 0; k < mask.size(); ++k) {
+    const PoseCell cell{mask.index(k), 0};
+    const Box box = box_of(division_, cell);
+    // Voxels come row by row, so that most images are left out once for many of them.
+    const bool new_layer = cell.index[2] != last[2];
+    if (new_layer) pick_near(all, 2, box, layer, out.cost);
+    if (new_layer || cell.index[1] != last[1]) pick_near(layer, 1, box, row, out.cost);
+    last = cell.index;
+    const std::size_t kept = out.neighbors.size();
+    if (is_empty(cores_[0], box, row, out.neighbors, out.cost)) {
+      out.neighbors.resize(kept);
+      continue;
+    }
+    out.cells.push_back(cell);
+    out.neighbor_ends.push_back(static_cast<std::int64_t>(out.neighbors.size()));
+  }
+  cells_ = std::move(out.cells);
+  neighbors_ = std::move(out.neighbors);
+  neighbor_ends_ = std::move(out.neighbor_ends);
+  first_cost_ = out.cost;
+  last_split_cost_ =
+      static_cast<std::int64_t>(neighbors_.size()) * Cost::glance + size() * Cost::trial;
+  last_split_children_ = std::max<std::int64_t>(1, size());
+}
+
+// Those of `images` that may touch a body of any box at the height of `box` along the axis.
+void VacancyList::pick_near(const std::vector<std::int32_t>& images, std::size_t axis,
+                            const Box& box, std::vector<std::int32_t>& near,
+                            std::int64_t& cost) const {
+  near.clear();
+  cost += static_cast<std::int64_t>(images.size()) / 4 * Cost::pair;
+  for (const std::int32_t image : images) {
+    const PlacedImage& at = images_[static_cast<std::size_t>(image)];
+    const double reach = candidate_.outline.circum_radius + placed_.outline(at.body).circum_radius +
+                         placed_.min_gap() + box.half[axis];
+    if (std::abs(at.center[axis] - box.middle[axis]) <= reach) near.push_back(image);
+  }
 }
 
 double VacancyList::part() const {
@@ -452,7 +509,7 @@ Candidate VacancyList::turned(const Pose& pose) const {
 }
 
 bool VacancyList::fits(const Pose& pose, std::int64_t& cost) const {
-  cost += Cost::trial / 2;
+  cost += Cost::trial;
   if (turning_ == Turning::none) return stands_apart(candidate_, pose, cost);
   if (!ball_fits(pose, cost)) return false;
   cost += Cost::trial;

@@ -12,6 +12,7 @@
 #include "generate/rsa/pose.hpp"
 #include "generate/rsa/standing.hpp"
 #include "generate/rsa/trial_numbers.hpp"
+#include "generate/rsa/voxel_mask.hpp"
 #include "packstone/core/quaternion.hpp"
 #include "packstone/core/run_context.hpp"
 
@@ -29,7 +30,9 @@ namespace packstone::rsa {
 /// all members overlap B is an intersection of such convex sets, hence convex.
 class VacancyList {
  public:
-  VacancyList(const PlacedBodies& placed, const Candidate& candidate, Turning turning);
+  /// @param mask  Voxels left for the core of the candidate, to start from; else null.
+  VacancyList(const PlacedBodies& placed, const Candidate& candidate, Turning turning,
+              const VoxelMask* mask = nullptr);
 
   [[nodiscard]] const Body& body() const { return candidate_.body; }
   [[nodiscard]] Turning turning() const { return turning_; }
@@ -93,6 +96,10 @@ class VacancyList {
     OrientationCells orientations;
   };
 
+  void start_with_all();
+  void start_with(const VoxelMask& mask);
+  void pick_near(const std::vector<std::int32_t>& images, std::size_t axis, const Box& box,
+                 std::vector<std::int32_t>& near, std::int64_t& cost) const;
   [[nodiscard]] double edge_at(const Division& division, std::size_t axis,
                                std::int32_t index) const;
   [[nodiscard]] Box box_of(const Division& division, const PoseCell& cell) const;
@@ -131,6 +138,7 @@ class VacancyList {
   std::vector<PoseCell> cells_;
   std::vector<std::int32_t> neighbors_;
   std::vector<std::int64_t> neighbor_ends_;
+  std::int64_t first_cost_ = 0;
   std::int64_t last_split_cost_ = 0;
   std::int64_t last_split_children_ = 1;
   double kept_by_last_split_ = 1.0;

@@ -48,9 +48,9 @@ Vec3 axis_of(const Body& body) {
 
 bool leaves_room_for(const rsa::PlacedBodies& placed, const Candidate& candidate,
                      const Vec3& center, std::int64_t& cost) {
-  rsa::PlacedBodies::Nearby nearby;
-  return placed.look_around(candidate.outline, center, nearby, cost) &&
-         placed.leaves_room_for(candidate, center, nearby, cost);
+  rsa::PlacedBodies::View view;
+  return placed.look_around(candidate.outline, center, view, cost) &&
+         placed.leaves_room_for(candidate, center, view, cost);
 }
 
 double angle_between_lines(const Vec3& u, const Vec3& v) {
@@ -255,7 +255,8 @@ TEST_CASE("a list of vacancies never loses a pose that fits") {
     for (int k = 0; k < attempts; ++k) {
       RandomStream random(8, StreamId::test, static_cast<std::uint64_t>(k));
       const Vec3 center{random.uniform(), random.uniform(), random.uniform()};
-      const Candidate turned(rsa::turned_at_random(candidate.body, turning, random));
+      rsa::TrialNumbers::Row row = rsa::TrialNumbers(10, StreamId::test, 0).trial(k);
+      const Candidate turned(rsa::turned_at_random(candidate.body, turning, row));
       plain += leaves_room_for(placed, turned, center, cost);
     }
     REQUIRE(plain > 300);
