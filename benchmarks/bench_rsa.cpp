@@ -1,8 +1,8 @@
 // Random sequential adsorption: the tables of Salnikov et al., large numbers of ellipsoids, and of
 // equal spheres.
 //
-//   bench_rsa tables [fixed|redraw] [runs] [count_each] [limit_s]
-//   bench_rsa blanks [fixed|redraw] [runs] [count_each] [limit_s]
+//   bench_rsa tables [fixed|redraw] [runs] [count_each] [limit_s] [first_seed]
+//   bench_rsa blanks [fixed|redraw] [runs] [count_each] [limit_s] [first_seed]
 //   bench_rsa scaling [largest count]
 //   bench_rsa spheres [count]
 //
@@ -77,6 +77,7 @@ struct Mode {
   bool redraw;
   int runs;
   double limit_s;
+  int first_seed;
 };
 
 // One cell of a table. printed < 0: blank.
@@ -85,7 +86,7 @@ void run_cell(int n, double fs, double fc, double aspect, double printed, const 
   std::vector<std::int64_t> restarts;
   int reached = 0;
   std::uint64_t hash = 0;
-  for (int seed = 1; seed <= mode.runs; ++seed) {
+  for (int seed = mode.first_seed; seed < mode.first_seed + mode.runs; ++seed) {
     const auto key = static_cast<std::uint64_t>(seed);
     RsaOptions options;
     options.order = RsaOrder::as_given;
@@ -200,6 +201,6 @@ int main(int argc, char** argv) {
     return 0;
   }
   Mode mode{argc > 2 && std::string(argv[2]) == "redraw", argc > 3 ? std::atoi(argv[3]) : 7,
-            argc > 5 ? std::atof(argv[5]) : 50.0};
+            argc > 5 ? std::atof(argv[5]) : 50.0, argc > 6 ? std::atoi(argv[6]) : 1};
   run_tables(mode, argc > 4 ? std::atoi(argv[4]) : 0, what == "blanks");
 }

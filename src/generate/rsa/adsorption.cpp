@@ -17,10 +17,22 @@ constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
 // What trials may cost, as parts of what the next means will cost. Measured: the times of small
 // packings are flat around these.
 constexpr double kPlainPerMask = 0.6;
-constexpr double kTurnedPerList = 30.0;  // A mask thins poses far better than a list of them does.
+constexpr double kFixedPerList = 3.0;
+constexpr double kTurnedPerList = 30.0;  // Lists of poses that turn thin out slowly.
 
 std::int64_t part_of(std::int64_t cost, double part) {
   return static_cast<std::int64_t>(part * static_cast<double>(cost));
+}
+
+// The same rod about another axis: all else of its outline stays.
+template <class Rod>
+Candidate turned_rod(const Candidate& candidate, Rod rod, const Vec3& axis) {
+  rod.axis = axis;
+  Candidate turned;
+  turned.body = rod;
+  turned.outline = candidate.outline;
+  turned.outline.axis = axis;
+  return turned;
 }
 
 }  // namespace
@@ -54,7 +66,7 @@ Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
   const Body body = in_standard_pose(ordered.body, turning_);
   const bool same = list_ && list_->turning() == turning_ && list_->body() == body;
   if (!same) list_.reset();
-  candidate_ = Candidate(body, placed_.needs_extents());
+  if (candidate_.body != body || item_ < 0) candidate_ = Candidate(body, placed_.needs_extents());
   const double r = candidate_.outline.in_radius;
   domain_ = centers_inside_walls(
       cell_, turning_ == Turning::none ? candidate_.half_extents : Vec3{r, r, r});
@@ -64,7 +76,8 @@ Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
   if (!same) {
     const Search search = search_without_list();
     if (search != Search::no_room) return search;
-    list_.emplace(placed_, candidate_, turning_, mask_ ? &*mask_ : nullptr);
+    const bool exact = mask_ && is_ball(candidate_.outline);
+    list_.emplace(placed_, candidate_, turning_, exact ? &*mask_ : nullptr);
   }
   return try_vacancies(item);
 }
@@ -79,6 +92,11 @@ inline Vec3 Adsorption::draw_center(TrialNumbers::Row& numbers) const {
 
 Candidate Adsorption::draw_turned(TrialNumbers::Row& numbers) const {
   if (turning_ == Turning::none) return candidate_;
+  if (!placed_.needs_extents() && turning_ == Turning::of_axis) {
+    if (const auto* cylinder = std::get_if<Cylinder>(&candidate_.body)) {
+      return turned_rod(candidate_, *cylinder, axis_at_random(numbers));
+    }
+  }
   return Candidate(turned_at_random(candidate_.body, turning_, numbers), placed_.needs_extents());
 }
 
@@ -126,14 +144,13 @@ Search Adsorption::try_open_voxels() {
                      [&](TrialNumbers::Row& row) { return mask_->draw(row); });
 }
 
-// The mask for the candidate: that of the last body where it has the same core.
+// The mask for the candidate: that of the last body where it has the same inscribed ball.
 bool Adsorption::prepare_mask() {
-  const Outline core =
-      turning_ == Turning::none ? candidate_.outline : ball_outline(candidate_.outline.in_radius);
-  if (placed_.uses_grid() || core.half_length > 0.0 || core.ends == Outline::Ends::loose) {
+  const double ball = candidate_.outline.in_radius;
+  if (placed_.uses_grid()) {
     mask_.reset();
-  } else if (!mask_ || !mask_->serves(core)) {
-    mask_.emplace(placed_, core, domain_);
+  } else if (!mask_ || !mask_->serves(ball, domain_)) {
+    mask_.emplace(placed_, ball, domain_);
   }
   return mask_.has_value();
 }
@@ -200,6 +217,7 @@ std::int64_t Adsorption::trial_budget() const {
 
 std::int64_t Adsorption::mask_budget() const {
   if (turning_ != Turning::none) return part_of(plain_budget(), kTurnedPerList);
+  if (!is_ball(candidate_.outline)) return part_of(plain_budget(), kFixedPerList);
   return mask_->size() * (Cost::trial + placed_.size() * Cost::pair);
 }
 

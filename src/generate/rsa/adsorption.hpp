@@ -67,7 +67,7 @@ class Adsorption {
   std::optional<VacancyList> list_;  // For candidate_ and its like, when plain trials did not do.
   std::optional<VoxelMask> mask_;
   Candidate candidate_;
-  std::int64_t item_ = 0;            // Number of candidate_.
+  std::int64_t item_ = -1;           // Number of candidate_.
   Turning turning_ = Turning::none;  // Of candidate_.
   CenterBox domain_;                 // Where its center may be.
   std::uint64_t key_ = 0;

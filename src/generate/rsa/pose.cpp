@@ -91,22 +91,6 @@ Vec3 direction_at(const PlanePoint& at) {
   return normalized(Vec3{rho * std::cos(phi), rho * std::sin(phi), z});
 }
 
-// A direction uniform on the sphere: G. Marsaglia, Ann. Math. Stat. 43 (1972) 645-646. Each word
-// gives a point of the square, which is in the circle with the chance pi / 4.
-Vec3 direction_by(TrialNumbers::Row& numbers) {
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    const std::uint64_t word = numbers.bits();
-    const double a = static_cast<std::int32_t>(word) * 0x1p-31;
-    const double b = static_cast<std::int32_t>(word >> 32) * 0x1p-31;
-    const double s = a * a + b * b;
-    if (s >= 1.0) continue;
-    const double factor = 2.0 * std::sqrt(1.0 - s);
-    return normalized(Vec3{factor * a, factor * b, 1.0 - 2.0 * s});
-  }
-  RandomStream random(numbers.bits(), StreamId::rsa_orientation);
-  return random_direction(random);
-}
-
 // Factor s such that s times the body of revolution with semi-axes a (along) and b (across) lies in
 // every copy of it that is turned by up to `angle`: 1 / s is the norm of the turn seen in the
 // frame where the body is a ball, [[c, -(b/a) sin], [(a/b) sin, c]], of determinant 1.
@@ -191,12 +175,28 @@ Body in_standard_pose(const Body& body, Turning turning) noexcept {
   return standard;
 }
 
+// G. Marsaglia, Ann. Math. Stat. 43 (1972) 645-646. Each word gives a point of the square, which is
+// in the circle with the chance pi / 4.
+Vec3 axis_at_random(TrialNumbers::Row& numbers) noexcept {
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const std::uint64_t word = numbers.bits();
+    const double a = static_cast<std::int32_t>(word) * 0x1p-31;
+    const double b = static_cast<std::int32_t>(word >> 32) * 0x1p-31;
+    const double s = a * a + b * b;
+    if (s >= 1.0) continue;
+    const double factor = 2.0 * std::sqrt(1.0 - s);
+    return normalized(Vec3{factor * a, factor * b, 1.0 - 2.0 * s});
+  }
+  RandomStream random(numbers.bits(), StreamId::rsa_orientation);
+  return random_direction(random);
+}
+
 Body turned_at_random(const Body& body, Turning turning, TrialNumbers::Row& numbers) noexcept {
   Body turned = body;
   if (turning == Turning::in_plane) {
     std::get<Ellipse>(turned).angle = kPi * numbers.uniform();
   } else if (turning == Turning::of_axis) {
-    turned = with_axis(body, direction_by(numbers));
+    turned = with_axis(body, axis_at_random(numbers));
   } else if (turning == Turning::full) {
     RandomStream random(numbers.bits(), StreamId::rsa_orientation);
     std::get<Ellipsoid>(turned).orientation = random_rotation(random);

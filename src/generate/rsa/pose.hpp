@@ -27,6 +27,9 @@ enum class Turning {
 /// `body` in an orientation that is the same for all that differ in orientation alone.
 [[nodiscard]] Body in_standard_pose(const Body& body, Turning turning) noexcept;
 
+/// A direction uniform on the sphere, by at most four words of `numbers`.
+[[nodiscard]] Vec3 axis_at_random(TrialNumbers::Row& numbers) noexcept;
+
 /// `body` with an orientation uniform over all, by at most four words of `numbers`.
 [[nodiscard]] Body turned_at_random(const Body& body, Turning turning,
                                     TrialNumbers::Row& numbers) noexcept;

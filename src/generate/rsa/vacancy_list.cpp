@@ -49,6 +49,31 @@ bool reaches_as_ball(const Outline& a, const Outline& b, const Vec3& half, const
   return norm_sq(nearest) <= far * far;
 }
 
+// How far the point p, from the center of the body, lies outside of the body grown by `range`, and
+// along which direction it leaves. The distance is convex: from p on it grows along `normal` at
+// least as fast as the way, and nowhere faster.
+struct Nearness {
+  double past;  // Rounded toward zero.
+  Vec3 normal;
+};
+Nearness nearness(const Outline& body, const Vec3& p, double range) {
+  const double along = dot(body.axis, p);
+  const double past_end = std::max(0.0, std::abs(along) - body.half_length);
+  const Vec3 radial = p - along * body.axis;
+  const double side = norm(radial);
+  const bool flat = body.ends == Outline::Ends::flat;
+  const double past_side = flat ? std::max(0.0, side - body.radius) : side;
+  const double distance = std::sqrt(past_end * past_end + past_side * past_side);
+  const double past = distance - range - (flat ? 0.0 : body.radius);
+  const double slack = 1e-10 * (norm(p) + range);
+  Nearness near{past > 0.0 ? std::max(0.0, past - slack) : std::min(0.0, past + slack), {0, 0, 0}};
+  if (distance > 0.0) {
+    near.normal = (std::copysign(past_end, along) / distance) * body.axis;
+    if (past_side > 0.0) near.normal = near.normal + (past_side / (distance * side)) * radial;
+  }
+  return near;
+}
+
 double box_reach(const Vec3& half, const Vec3& n) {
   return half.x * std::abs(n.x) + half.y * std::abs(n.y) + half.z * std::abs(n.z);
 }
@@ -324,6 +349,19 @@ bool VacancyList::is_empty(const CommonCore& core, const Box& box,
       if (covers_as_ball(core.middle_outline, other, box.half, r, min_gap)) return true;
       if (!reaches_as_ball(core.middle_outline, other, box.half, r, min_gap)) continue;
       kept.push_back(image);
+      const double touch = core.middle_outline.radius + other.radius + min_gap;
+      if (norm_sq(r) < touch * touch) std::swap(kept[front++], kept.back());
+      continue;
+    }
+    if (is_ball(core.middle_outline) && other.ends != Outline::Ends::loose) {
+      const Nearness near = nearness(other, -1.0 * r, core.middle_outline.radius + min_gap);
+      cost += Cost::glance;
+      if (near.past > box_reach(box.half, near.normal)) continue;
+      if (near.past < -blur) return true;
+      kept.push_back(image);
+      if (near.past >= 0.0) continue;
+      if (covers(image, core, box, cost)) return true;
+      std::swap(kept[front++], kept.back());
       continue;
     }
     const Verdict seen = quick_verdict(core.middle_outline, other, r, min_gap);

@@ -4,26 +4,18 @@
 #include <bit>
 #include <cmath>
 
-#include "packstone/core/error.hpp"
-
 namespace packstone::rsa {
 namespace {
 
-// Edges of voxels are at most this part of the inscribed radius of the core [-].
+// Edges of voxels are at most this part of the radius of the ball [-].
 constexpr double kEdgePerRadius = 0.5;
 
-// The core is shrunk by this part, far above the rounding of corners and centers [-].
+// The ball is shrunk by this part, far above the rounding of corners and centers [-].
 constexpr double kShrink = 1e-9;
 
 // Half extent of the capsule about a body along an axis.
 double extent(const Outline& outline, std::size_t axis) {
   return outline.half_length * std::abs(outline.axis[axis]) + outline.radius;
-}
-
-Outline shrunk(Outline core) {
-  for (double* length : {&core.in_radius, &core.half_length, &core.radius})
-    *length *= 1.0 - kShrink;
-  return core;
 }
 
 }  // namespace
@@ -97,17 +89,16 @@ class VoxelMask::BallRegion {
   double off_ = 0.0, off_sq_ = 0.0, lo_ = 0.0, hi_ = 0.0;  // Of the line.
 };
 
-VoxelMask::VoxelMask(const PlacedBodies& placed, const Outline& core, const CenterBox& domain)
+VoxelMask::VoxelMask(const PlacedBodies& placed, double ball, const CenterBox& domain)
     : placed_(placed),
-      core_(shrunk(core)),
+      ball_(ball),
       dimension_(static_cast<std::size_t>(placed.cell().dimension)),
       origin_{domain.lo.x, domain.lo.y, domain.lo.z},
       end_{domain.hi.x, domain.hi.y, domain.hi.z} {
-  PACKSTONE_ASSERT(core.ends != Outline::Ends::loose);
   if (dimension_ == 2) origin_[2] = end_[2] = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) length_[axis] = end_[axis] - origin_[axis];
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
-    const double wanted = length_[axis] / (kEdgePerRadius * core.in_radius);
+    const double wanted = length_[axis] / (kEdgePerRadius * ball);
     counts_[axis] = static_cast<std::int32_t>(
         std::clamp(std::ceil(wanted), 1.0, static_cast<double>(kMostAlongAxis)));
     per_count_[axis] = 1.0 / counts_[axis];
@@ -119,10 +110,9 @@ VoxelMask::VoxelMask(const PlacedBodies& placed, const Outline& core, const Cent
   open_.assign(static_cast<std::size_t>(counts_[1] * counts_[2]), (Line{1} << counts_[0]) - 1);
 }
 
-bool VoxelMask::serves(const Outline& core) const {
-  const Outline wanted = shrunk(core);
-  return wanted.radius == core_.radius && wanted.half_length == core_.half_length &&
-         wanted.ends == core_.ends && (wanted.half_length == 0.0 || wanted.axis == core_.axis);
+bool VoxelMask::serves(double ball, const CenterBox& domain) const {
+  return ball == ball_ && domain.lo == Vec3{origin_[0], origin_[1], origin_[2]} &&
+         domain.hi == Vec3{end_[0], end_[1], end_[2]};
 }
 
 double VoxelMask::part() const {
@@ -154,7 +144,7 @@ std::int64_t VoxelMask::expected_cost() const {
     const Outline& other = placed_.outline(i);
     double lines = 10.0;
     for (std::size_t axis = 1; axis < dimension_; ++axis) {
-      const double reach = extent(core_, axis) + extent(other, axis) + placed_.min_gap();
+      const double reach = ball_ + extent(other, axis) + placed_.min_gap();
       lines *= 2.0 * reach * counts_[axis] / length_[axis];
     }
     cost += lines;
@@ -167,7 +157,7 @@ void VoxelMask::notice_placed() {
   const Vec3 lo{origin_[0], origin_[1], origin_[2]}, hi{end_[0], end_[1], end_[2]};
   std::vector<PlacedImage> images;
   for (; noticed_ < placed_.size(); ++noticed_) {
-    placed_.add_images_near(noticed_, lo, hi, core_.circum_radius, images);
+    placed_.add_images_near(noticed_, lo, hi, ball_, images);
   }
   for (const PlacedImage& image : images) strike_out(image);
   list_left();
@@ -178,13 +168,13 @@ void VoxelMask::strike_out(const PlacedImage& image) {
   const double min_gap = placed_.min_gap();
   std::array<Range, 3> range{Range{0, 0}, {0, 0}, {0, 0}};
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
-    const double reach = extent(core_, axis) + extent(other, axis) + min_gap;
+    const double reach = ball_ + extent(other, axis) + min_gap;
     range[axis] = corners_within(axis, image.center[axis] - reach, image.center[axis] + reach);
     if (range[axis].first >= range[axis].last) return;
   }
   const bool loose = other.ends == Outline::Ends::loose;
   BallRegion region(loose ? ball_outline(other.in_radius) : other, image.center,
-                    core_.radius + min_gap * (1.0 - kShrink));
+                    (ball_ + min_gap) * (1.0 - kShrink));
   strike_out_in(region, range[1], range[2]);
 }
 

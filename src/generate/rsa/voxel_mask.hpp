@@ -17,17 +17,17 @@ namespace packstone::rsa {
 /// A lattice of voxels over all centers, those struck out that are proven to hold none.
 ///
 /// A voxel is struck out when all its corners lie in the contact region F(B) = B + (-K) of one
-/// image B, which is convex; see VacancyList. Here K is a core that the body on trial holds however
-/// it is turned, so that one mask serves all bodies with that core. A line of corners meets F(B) in
-/// one run; only its ends are looked for.
+/// image B, which is convex; see VacancyList. Here K is a ball that the body on trial holds however
+/// it is turned, so that one mask serves all bodies with the same inscribed ball. A line of corners
+/// meets F(B) in one run; only its ends are looked for.
 class VoxelMask {
  public:
-  /// @param core    Outline of the core; its ends must not be loose.
-  /// @param domain  Where centers may be.
-  VoxelMask(const PlacedBodies& placed, const Outline& core, const CenterBox& domain);
+  /// @param ball    Radius of the inscribed ball [L].
+  /// @param domain  Where centers may be; flat in two dimensions.
+  VoxelMask(const PlacedBodies& placed, double ball, const CenterBox& domain);
 
-  /// Is it a mask for this core?
-  [[nodiscard]] bool serves(const Outline& core) const;
+  /// Is it a mask for that ball there?
+  [[nodiscard]] bool serves(double ball, const CenterBox& domain) const;
 
   /// Takes notice of the bodies placed since.
   void notice_placed();
@@ -64,7 +64,7 @@ class VoxelMask {
   void list_left();
 
   const PlacedBodies& placed_;
-  Outline core_;
+  double ball_;
   std::size_t dimension_;
   std::array<double, 3> origin_, end_, length_;
   std::array<std::int32_t, 3> counts_{1, 1, 1};

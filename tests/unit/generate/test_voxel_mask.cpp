@@ -97,7 +97,7 @@ TEST_CASE("no point of a voxel struck out is free") {
     const Body ball = ball_of(c.radius, c.cell.dimension);
     const CenterBox domain = domain_of(c.cell, c.radius);
     const Scene scene(c.cell, c.min_gap, c.count, 0.06, static_cast<std::uint64_t>(c.count));
-    VoxelMask mask(scene.placed, rsa::outline_of(ball), domain);
+    VoxelMask mask(scene.placed, c.radius, domain);
     mask.notice_placed();
     const auto left = voxels_left(mask);
     REQUIRE_FALSE(left.empty());
@@ -126,9 +126,8 @@ TEST_CASE("no point of a voxel struck out is free") {
 TEST_CASE("a mask kept up to date is the mask made anew, and draws from all that is left") {
   const Cell cell{};
   Scene scene(cell, 0.0, 6, 0.08, 1);
-  const Body ball = Sphere{0.09};
   const CenterBox domain = domain_of(cell, 0.09);
-  VoxelMask kept(scene.placed, rsa::outline_of(ball), domain);
+  VoxelMask kept(scene.placed, 0.09, domain);
   kept.notice_placed();
   const double before = kept.part();
   for (int k = 0; k < 5; ++k) {
@@ -137,13 +136,14 @@ TEST_CASE("a mask kept up to date is the mask made anew, and draws from all that
                      {random.uniform(), random.uniform(), random.uniform()});
     kept.notice_placed();
   }
-  VoxelMask anew(scene.placed, rsa::outline_of(ball), domain);
+  VoxelMask anew(scene.placed, 0.09, domain);
   CHECK(anew.expected_cost() > 0);
   anew.notice_placed();
   CHECK(kept.part() < before);
   CHECK(voxels_left(kept) == voxels_left(anew));
-  CHECK(kept.serves(rsa::outline_of(ball)));
-  CHECK_FALSE(kept.serves(rsa::outline_of(Body{Sphere{0.091}})));
+  CHECK(kept.serves(0.09, domain));
+  CHECK_FALSE(kept.serves(0.091, domain));
+  CHECK_FALSE(kept.serves(0.09, {{0.1, 0, 0}, {0.9, 1, 1}}));
 
   const auto left = voxels_left(kept);
   std::set<std::array<std::int32_t, 3>> drawn;
@@ -165,7 +165,7 @@ TEST_CASE("a mask strikes out most of what is covered") {
   // The voxels left at half the radius: the free part, and a layer of about one voxel around it.
   const Scene scene(Cell{}, 0.0, 40, 0.07, 2);
   const Body ball = Sphere{0.07};
-  VoxelMask mask(scene.placed, rsa::outline_of(ball), domain_of(Cell{}, 0.07));
+  VoxelMask mask(scene.placed, 0.07, domain_of(Cell{}, 0.07));
   mask.notice_placed();
   int free = 0;
   constexpr int trials = 4000;
