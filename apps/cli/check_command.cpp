@@ -63,18 +63,14 @@ std::string check_gap(const std::string& text) {
 void add_check(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", "Prove that nothing overlaps, or say what does");
-  command->add_option("PACKING", arguments->packing, "Packing (.json, .h5)")
-      ->type_name("")
-      ->required();
+  add_packing(*command, arguments->packing);
   command->add_option("--min-gap", arguments->options.min_gap, "Least gap between any two [0]")
       ->type_name("G")
       ->check(CLI::Validator(check_gap, ""));
   command
       ->add_option("--witness", arguments->witness, "Write one separating direction per near pair")
       ->type_name("FILE");
-  command->add_option("--threads", arguments->threads, "Threads; the result is the same [all]")
-      ->type_name("N")
-      ->check(CLI::Range(0, 4096).description(""));
+  add_threads(*command, arguments->threads);
   command->add_flag("--json", arguments->json, "Certificate as one JSON object");
   command->footer(
       "Exit code 0 when every pair, over all periodic images, is proven apart and\n"

@@ -5,6 +5,7 @@
 /// the exit code.
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace packstone::cli {
 
@@ -15,6 +16,10 @@ enum ExitCode {
   kBadInput = 2,       ///< Bad input or usage.
   kInterrupted = 130,  ///< Interrupted; the best valid state was kept.
 };
+
+/// The argument and the option that several commands share.
+void add_packing(CLI::App& command, std::string& path);
+void add_threads(CLI::App& command, int& threads);
 
 void add_pack(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);

@@ -56,9 +56,7 @@ void add_look(CLI::App& command, DrawOptions& options, std::string& color) {
 void add_draw(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<DrawArguments>();
   CLI::App* command = app.add_subcommand("draw", "Draw a packing, without a display");
-  command->add_option("PACKING", arguments->packing, "Packing (.json, .h5)")
-      ->type_name("")
-      ->required();
+  add_packing(*command, arguments->packing);
   command->add_option("-o,--output", arguments->output, "Picture to write; .svg in 2D")
       ->type_name("FILE.png|.svg")
       ->required();
@@ -69,9 +67,7 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(16, 16384).description(""));
   add_look(*command, arguments->options, arguments->color);
-  command->add_option("--threads", arguments->threads, "Threads [all]")
-      ->type_name("N")
-      ->check(CLI::Range(0, 4096).description(""));
+  add_threads(*command, arguments->threads);
   command->footer("Example: packstone draw fibers.json -o fibers.png --color-by orientation");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".png", ".svg"});

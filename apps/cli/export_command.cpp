@@ -22,9 +22,7 @@ struct ExportArguments {
 void add_export(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "Write a packing for other programs");
-  command->add_option("PACKING", arguments->packing, "Packing (.json, .h5)")
-      ->type_name("")
-      ->required();
+  add_packing(*command, arguments->packing);
   command->add_option("-o,--output", arguments->output, "By ending: VTK surfaces, STL, table")
       ->type_name("FILE.vtu|.stl|.csv")
       ->required();

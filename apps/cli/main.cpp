@@ -24,13 +24,14 @@ void complain(const std::exception& error) {
   std::fprintf(stderr, "packstone: %s\n", error.what());
 }
 
-const std::vector<std::string_view>& command_names() {
-  static const std::vector<std::string_view> names{"new", "pack", "check", "draw", "export"};
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
   return names;
 }
 
-std::string near_word(const std::string& word, const std::vector<std::string_view>& known) {
-  const auto near = packstone::recipe::nearest_key(word, known);
+std::string near_word(const std::string& word, const std::vector<std::string>& known) {
+  const auto near = packstone::recipe::nearest_key(word, {known.begin(), known.end()});
   return near ? "; did you mean " + std::string(*near) + "?" : "";
 }
 
@@ -46,9 +47,12 @@ std::vector<std::string> option_names(const CLI::App& command) {
 std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, int argc,
                           char** argv) {
   if (app.get_subcommands().empty()) {
-    if (argc < 2) return "a command is missing; commands: new, pack, check, draw, export";
-    return std::string(argv[1]) + " is no command" + near_word(argv[1], command_names()) +
-           "\n  commands: new, pack, check, draw, export";
+    const std::vector<std::string> names = command_names(app);
+    std::string listed;
+    for (const std::string& name : names) listed += (listed.empty() ? "" : ", ") + name;
+    if (argc < 2) return "a command is missing; commands: " + listed;
+    return std::string(argv[1]) + " is no command" + near_word(argv[1], names) +
+           "\n  commands: " + listed;
   }
   const CLI::App& command = *app.get_subcommands().front();
   const std::vector<std::string> names = option_names(command);
@@ -56,8 +60,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, int
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (!word.starts_with("--")) continue;
     if (std::find(names.begin(), names.end(), word) != names.end()) continue;
-    return word + " is no option of " + command.get_name() +
-           near_word(word, {names.begin(), names.end()});
+    return word + " is no option of " + command.get_name() + near_word(word, names);
   }
   return error.what();
 }

@@ -130,9 +130,7 @@ void add_pack(CLI::App& app, int& exit_code) {
                    "Then keep what is valid: \"30 s\", \"10 min\"")
       ->type_name("TIME")
       ->check(CLI::Validator(check_time, ""));
-  command->add_option("--threads", arguments->threads, "Threads; the result is the same [all]")
-      ->type_name("N")
-      ->check(CLI::Range(0, 4096).description(""));
+  add_threads(*command, arguments->threads);
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
   command->add_flag("--json", arguments->json, "Summary as one JSON object");
   command->footer(

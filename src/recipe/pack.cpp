@@ -8,47 +8,23 @@
 #include <utility>
 
 #include "packstone/core/error.hpp"
-#include "packstone/core/memory.hpp"
 #include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/core/version.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
-#include "packstone/structure/standing.hpp"
+#include "recipe/draw_mix.hpp"
 
 namespace packstone {
 namespace {
 
-// The common radius when all bodies are equal spheres or disks, else 0.
-double common_radius(const std::vector<OrderedBody>& bodies) {
-  double least = HUGE_VAL;
-  double greatest = 0.0;
-  for (const OrderedBody& ordered : bodies) {
-    if (!is_round(kind(ordered.body))) return 0.0;
-    const double r = std::visit(
-        Overloaded{[](const Sphere& b) { return b.radius; }, [](const Disk& b) { return b.radius; },
-                   [](const auto&) { return 0.0; }},
-        ordered.body);
-    least = std::min(least, r);
-    greatest = std::max(greatest, r);
-  }
-  return greatest - least <= 1e-12 * greatest ? least : 0.0;
-}
-
 RsaOptions rsa_options(const Recipe& recipe) {
-  RsaOptions options{.min_gap = recipe.min_gap,
-                     .order = recipe.rsa.order,
-                     .redraw_orientation = {},
-                     .max_trials = recipe.rsa.max_trials,
-                     .max_restarts = recipe.rsa.max_restarts,
-                     .seed = recipe.seed};
-  if (recipe.rsa.redraw_orientations) {
-    for (const InclusionGroup& group : recipe.groups) {
-      const bool random = std::holds_alternative<RandomOrientation>(group.orientation);
-      options.redraw_orientation.push_back(random && !is_round(group.shape));
-    }
-  }
-  return options;
+  return {.min_gap = recipe.min_gap,
+          .order = recipe.rsa.order,
+          .redraw_orientation = recipe::redrawn_groups(recipe),
+          .max_trials = recipe.rsa.max_trials,
+          .max_restarts = recipe.rsa.max_restarts,
+          .seed = recipe.seed};
 }
 
 // The bodies of the mix, then those of the open group, drawn in blocks.
@@ -79,20 +55,11 @@ class Supply {
   std::vector<OrderedBody> drawn_;
 };
 
-// Radius of the equal spheres or disks that one group alone orders in open number, else 0.
-double saturating_radius(const Recipe& recipe) {
-  if (recipe.groups.size() != 1) return 0.0;
-  const InclusionGroup& group = recipe.groups.front();
-  const bool open = !group.count && !group.fraction;
-  if (!open || !is_round(group.shape) || !is_constant(group.size)) return 0.0;
-  return common_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed));
-}
-
 RsaResult run_rsa(const Recipe& recipe, const InclusionMix& mix, const RunContext& run) {
   const RsaOptions options = rsa_options(recipe);
   const auto open = std::find(mix.open_count.begin(), mix.open_count.end(), true);
   if (open == mix.open_count.end()) return rsa_pack(recipe.cell, mix.bodies, options, run);
-  if (const double radius = saturating_radius(recipe); radius > 0.0) {
+  if (const double radius = recipe::saturating_radius(recipe); radius > 0.0) {
     return rsa_saturate(recipe.cell, radius, options, run);
   }
   std::vector<OrderedBody> first = mix.bodies;
@@ -146,7 +113,7 @@ std::vector<std::optional<SymMat3>> tensors(const Bodies& bodies, std::size_t gr
 std::vector<GroupOutcome> compare(const Recipe& recipe, const InclusionMix& mix,
                                   const Packing& packing) {
   const std::size_t count = recipe.groups.size();
-  const std::vector<bool> redrawn = rsa_options(recipe).redraw_orientation;
+  const std::vector<bool> redrawn = recipe::redrawn_groups(recipe);
   const auto ordered_tensors = tensors(mix.bodies, count);
   const auto reached_tensors = tensors(packing.inclusions, count);
   const double space = volume(recipe.cell);
@@ -215,105 +182,9 @@ void check_recipe(const Recipe& recipe) {
   }
 }
 
-// The words for the first of `keys` that was read, or for the recipe as a whole.
-std::string place_of(const Recipe& recipe, const std::vector<std::string>& keys) {
-  for (const std::string& key : keys) {
-    if (const auto found = recipe.places.find(key); found != recipe.places.end()) {
-      return found->second + "; ";
-    }
-  }
-  return recipe.origin.empty() ? "" : recipe.origin + ": ";
-}
-
-std::string complaint(const Recipe& recipe, const InvalidGroup& problem) {
-  if (recipe.places.empty()) return place_of(recipe, {}) + problem.what();
-  const std::string group = "inclusions[" + std::to_string(problem.group()) + "]";
-  std::vector<std::string> keys;
-  // What a size follows from may stand in its place.
-  for (const GroupField field : {problem.field(), GroupField::fraction, GroupField::count}) {
-    if (field != GroupField::group) keys.push_back(group + "." + std::string(name(field)));
-    if (problem.field() == GroupField::group) break;
-  }
-  keys.push_back(group);
-  return place_of(recipe, keys) + problem.why();
-}
-
-// What `step` returns; its complaints say where in the recipe the fault lies.
-template <class Step>
-auto for_recipe(const Recipe& recipe, Step step) {
-  try {
-    return step();
-  } catch (const InvalidGroup& problem) {
-    throw InvalidArgument(complaint(recipe, problem));
-  } catch (const InvalidArgument& problem) {
-    throw InvalidArgument(place_of(recipe, {}) + problem.what());
-  }
-}
-
-// Bytes that an inclusion takes at the peak, at least: measured were 360 (disks at fraction 0.3) to
-// 590 (ellipses), and up to 2500 for equal spheres in a nearly empty cell.
-constexpr double kLeastBytes = 350;
-
-InclusionLimit limit_of_machine() {
-  const double fit = physical_memory() / kLeastBytes;
-  const InclusionLimit any;
-  if (fit >= static_cast<double>(any.most)) return any;
-  return {static_cast<std::int64_t>(fit), kLeastBytes};
-}
-
-// Equal spheres or disks that fill the cell: how many there will be is known, some percent less
-// than random sequential adsorption leaves room for.
-void refuse_too_many_to_fill(const Recipe& recipe) {
-  const double radius = saturating_radius(recipe);
-  if (!(radius > 0.0)) return;
-  const bool plane = recipe.cell.dimension == 2;
-  const double grown = radius + 0.5 * recipe.min_gap;
-  const double ball = volume(plane ? Body{Disk{grown}} : Body{Sphere{grown}});
-  const double count = (plane ? 0.5 : 0.35) * volume(recipe.cell) / ball;
-  const InclusionLimit limit = limit_of_machine();
-  if (count <= static_cast<double>(limit.most)) return;
-  throw InvalidGroup(
-      "", 0, GroupField::size, "",
-      "to fill the cell takes some " + number_text(count, 3) + "; " + limit.why_not(count));
-}
-
-// The bodies ordered, and the first one of a group of open count, can stand and have room.
-void refuse_impossible(const Recipe& recipe, const InclusionMix& mix) {
-  const std::vector<bool> redrawn = rsa_options(recipe).redraw_orientation;
-  check_standing(recipe.cell, mix.bodies, recipe.min_gap, redrawn);
-  for (std::size_t g = 0; g < recipe.groups.size(); ++g) {
-    if (!mix.open_count[g]) continue;
-    const auto first =
-        draw_open_group(recipe.cell, recipe.groups[g], static_cast<int>(g), 0, 1, recipe.seed);
-    check_standing(recipe.cell, first, recipe.min_gap, redrawn);
-  }
-  check_room(recipe.cell, mix.bodies, 0.0);
-}
-
-void refuse_too_large_gap(const Recipe& recipe, const InclusionMix& mix) {
-  if (recipe.min_gap == 0.0) return;
-  try {
-    check_room(recipe.cell, mix.bodies, recipe.min_gap);
-  } catch (const InvalidGroup& problem) {
-    throw InvalidArgument(place_of(recipe, {"packing.min_gap"}) + problem.why());
-  }
-}
-
-InclusionMix draw_mix(const Recipe& recipe) {
-  InclusionMix mix = for_recipe(recipe, [&] {
-    InclusionMix drawn =
-        draw_inclusions(recipe.cell, recipe.groups, recipe.seed, limit_of_machine());
-    refuse_impossible(recipe, drawn);
-    refuse_too_many_to_fill(recipe);
-    return drawn;
-  });
-  refuse_too_large_gap(recipe, mix);
-  return mix;
-}
-
 // What the summary says of groups whose saturation cannot be proven.
 std::vector<std::string> limits_of_redrawing(const Recipe& recipe, const InclusionMix& mix) {
-  const std::vector<bool> redrawn = rsa_options(recipe).redraw_orientation;
+  const std::vector<bool> redrawn = recipe::redrawn_groups(recipe);
   std::vector<std::string> sentences;
   for (std::size_t g = 0; g < redrawn.size(); ++g) {
     const auto unequal = [&](const OrderedBody& b) {
@@ -337,8 +208,8 @@ PackOutcome pack(const Recipe& recipe, RunContext run) {
   check_recipe(recipe);
   run = within_time(recipe, run);
   const std::clock_t start = std::clock();
-  const InclusionMix mix = draw_mix(recipe);
-  RsaResult result = for_recipe(recipe, [&] { return run_rsa(recipe, mix, run); });
+  const InclusionMix mix = recipe::draw_mix(recipe);
+  RsaResult result = recipe::for_recipe(recipe, [&] { return run_rsa(recipe, mix, run); });
 
   PackOutcome outcome;
   outcome.packing = std::move(result.packing);
@@ -346,7 +217,7 @@ PackOutcome pack(const Recipe& recipe, RunContext run) {
   for (const InclusionGroup& group : recipe.groups) outcome.packing.groups.push_back(group.name);
   outcome.method = "rsa";
   outcome.method_reason =
-      recipe.method == PackMethod::rsa ? "as ordered" : "auto: the method there is for all shapes";
+      recipe.method == PackMethod::rsa ? "as ordered" : "auto: it places every shape";
   outcome.stop = name(result.stop);
   outcome.derived = mix.derived;
   for (std::string& sentence : limits_of_redrawing(recipe, mix)) {

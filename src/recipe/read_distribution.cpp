@@ -11,8 +11,6 @@
 namespace packstone::recipe {
 namespace {
 
-constexpr double kNoBound = 1e300;  // min and max of a law that has none
-
 constexpr const char* kForms =
     "a number, { uniform = [lo, hi] }, or { normal | lognormal | weibull | mixture | table = ... }";
 

@@ -11,6 +11,9 @@
 
 namespace packstone::recipe {
 
+/// Beyond it a min or max of a law is none.
+inline constexpr double kNoBound = 1e300;
+
 /// What the values of a law may be.
 enum class Values {
   positive,  ///< Sizes and aspects.

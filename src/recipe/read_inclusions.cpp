@@ -36,12 +36,6 @@ Keys size_keys_of(ShapeKind shape) {
   return keys;
 }
 
-std::string list_of(const Keys& keys) {
-  std::string text;
-  for (const std::string_view key : keys) text += (text.empty() ? "" : ", ") + std::string(key);
-  return text;
-}
-
 bool holds(const Keys& keys, std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }

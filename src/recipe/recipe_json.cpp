@@ -2,18 +2,17 @@
 
 #include "packstone/core/overloaded.hpp"
 #include "packstone/recipe/recipe.hpp"
+#include "recipe/read_distribution.hpp"
 
 namespace packstone {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNoBound = 1e300;  // min and max of a law that has none
-
 template <class Law>
 void add_bounds(Json& table, const Law& law) {
   if (law.min > Law{}.min) table["min"] = law.min;
-  if (law.max < kNoBound) table["max"] = law.max;
+  if (law.max < recipe::kNoBound) table["max"] = law.max;
 }
 
 Json law_json(const Distribution& law);

@@ -33,12 +33,6 @@ const std::vector<std::pair<std::string_view, std::string_view>>& homes() {
   return list;
 }
 
-std::string list_of(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
-
 std::string advice(std::string_view key, const std::vector<std::string_view>& known) {
   if (const auto near = nearest_key(key, known)) {
     return "did you mean \"" + std::string(*near) + "\"?";
@@ -142,6 +136,12 @@ Entry item(const Entry& array, std::size_t index) {
 
 std::string joined(const std::string& name, std::string_view key) {
   return name.empty() ? std::string(key) : name + "." + std::string(key);
+}
+
+std::string list_of(const std::vector<std::string_view>& words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
 }
 
 std::string shown(const toml::node& node) {

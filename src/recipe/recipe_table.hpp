@@ -89,6 +89,9 @@ class TableView {
 /// "name.key", or the key alone at the top.
 [[nodiscard]] std::string joined(const std::string& name, std::string_view key);
 
+/// "a, b, c"
+[[nodiscard]] std::string list_of(const std::vector<std::string_view>& words);
+
 /// The value as TOML text on one line, numbers as short as they round-trip, cut when long.
 [[nodiscard]] std::string shown(const toml::node& node);
 

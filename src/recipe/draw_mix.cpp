@@ -1,0 +1,135 @@
+#include "recipe/draw_mix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "packstone/core/memory.hpp"
+#include "packstone/core/number_text.hpp"
+#include "packstone/core/overloaded.hpp"
+#include "packstone/geometry/measures.hpp"
+#include "packstone/structure/standing.hpp"
+
+namespace packstone::recipe {
+namespace {
+
+// The common radius when all bodies are equal spheres or disks, else 0.
+double common_radius(const std::vector<OrderedBody>& bodies) {
+  double least = HUGE_VAL;
+  double greatest = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    if (!is_round(kind(ordered.body))) return 0.0;
+    const double r = std::visit(
+        Overloaded{[](const Sphere& b) { return b.radius; }, [](const Disk& b) { return b.radius; },
+                   [](const auto&) { return 0.0; }},
+        ordered.body);
+    least = std::min(least, r);
+    greatest = std::max(greatest, r);
+  }
+  return greatest - least <= 1e-12 * greatest ? least : 0.0;
+}
+
+// The words for the first of `keys` that was read, or for the recipe as a whole.
+std::string place_of(const Recipe& recipe, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    if (const auto found = recipe.places.find(key); found != recipe.places.end()) {
+      return found->second + "; ";
+    }
+  }
+  return recipe.origin.empty() ? "" : recipe.origin + ": ";
+}
+
+// Bytes that an inclusion takes at the peak, at least: measured were 360 (disks at fraction 0.3) to
+// 590 (ellipses), and up to 2500 for equal spheres in a nearly empty cell.
+constexpr double kLeastBytes = 350;
+
+InclusionLimit limit_of_machine() {
+  const double fit = physical_memory() / kLeastBytes;
+  const InclusionLimit any;
+  if (fit >= static_cast<double>(any.most)) return any;
+  return {static_cast<std::int64_t>(fit), kLeastBytes};
+}
+
+// Equal spheres or disks that fill the cell: how many there will be is known, some percent less
+// than random sequential adsorption leaves room for.
+void refuse_too_many_to_fill(const Recipe& recipe) {
+  const double radius = saturating_radius(recipe);
+  if (!(radius > 0.0)) return;
+  const bool plane = recipe.cell.dimension == 2;
+  const double grown = radius + 0.5 * recipe.min_gap;
+  const double ball = volume(plane ? Body{Disk{grown}} : Body{Sphere{grown}});
+  const double count = (plane ? 0.5 : 0.35) * volume(recipe.cell) / ball;
+  const InclusionLimit limit = limit_of_machine();
+  if (count <= static_cast<double>(limit.most)) return;
+  throw InvalidGroup(
+      "", 0, GroupField::size, "",
+      "to fill the cell takes some " + number_text(count, 3) + "; " + limit.why_not(count));
+}
+
+// The bodies ordered, and the first one of a group of open count, can stand and have room.
+void refuse_impossible(const Recipe& recipe, const InclusionMix& mix) {
+  const std::vector<bool> redrawn = redrawn_groups(recipe);
+  check_standing(recipe.cell, mix.bodies, recipe.min_gap, redrawn);
+  for (std::size_t g = 0; g < recipe.groups.size(); ++g) {
+    if (!mix.open_count[g]) continue;
+    const auto first =
+        draw_open_group(recipe.cell, recipe.groups[g], static_cast<int>(g), 0, 1, recipe.seed);
+    check_standing(recipe.cell, first, recipe.min_gap, redrawn);
+  }
+  check_room(recipe.cell, mix.bodies, 0.0);
+}
+
+void refuse_too_large_gap(const Recipe& recipe, const InclusionMix& mix) {
+  if (recipe.min_gap == 0.0) return;
+  try {
+    check_room(recipe.cell, mix.bodies, recipe.min_gap);
+  } catch (const InvalidGroup& problem) {
+    throw InvalidArgument(place_of(recipe, {"packing.min_gap"}) + problem.why());
+  }
+}
+
+}  // namespace
+
+std::string complaint(const Recipe& recipe, const InvalidGroup& problem) {
+  if (recipe.places.empty()) return place_of(recipe, {}) + problem.what();
+  const std::string group = "inclusions[" + std::to_string(problem.group()) + "]";
+  std::vector<std::string> keys;
+  // What a size follows from may stand in its place.
+  for (const GroupField field : {problem.field(), GroupField::fraction, GroupField::count}) {
+    if (field != GroupField::group) keys.push_back(group + "." + std::string(name(field)));
+    if (problem.field() == GroupField::group) break;
+  }
+  keys.push_back(group);
+  return place_of(recipe, keys) + problem.why();
+}
+
+std::vector<bool> redrawn_groups(const Recipe& recipe) {
+  std::vector<bool> redrawn;
+  if (!recipe.rsa.redraw_orientations) return redrawn;
+  for (const InclusionGroup& group : recipe.groups) {
+    const bool random = std::holds_alternative<RandomOrientation>(group.orientation);
+    redrawn.push_back(random && !is_round(group.shape));
+  }
+  return redrawn;
+}
+
+double saturating_radius(const Recipe& recipe) {
+  if (recipe.groups.size() != 1) return 0.0;
+  const InclusionGroup& group = recipe.groups.front();
+  const bool open = !group.count && !group.fraction;
+  if (!open || !is_round(group.shape) || !is_constant(group.size)) return 0.0;
+  return common_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed));
+}
+
+InclusionMix draw_mix(const Recipe& recipe) {
+  InclusionMix mix = for_recipe(recipe, [&] {
+    InclusionMix drawn =
+        draw_inclusions(recipe.cell, recipe.groups, recipe.seed, limit_of_machine());
+    refuse_impossible(recipe, drawn);
+    refuse_too_many_to_fill(recipe);
+    return drawn;
+  });
+  refuse_too_large_gap(recipe, mix);
+  return mix;
+}
+
+}  // namespace packstone::recipe
