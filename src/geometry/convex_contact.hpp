@@ -70,50 +70,51 @@ Decision decide(const A& a, const B& b, const Vec3& r, double min_gap) noexcept 
   if (norm_sq(r) == 0.0) return {Verdict::overlapping, Vec3{}};
   const MinkowskiSum<A, B> sum(a, b, min_gap);
   Decision decision;
-  double best = -std::numeric_limits<double>::infinity();
   search<A>(sum, r, [&](const Portal& portal) {
-    const double length = norm(portal.normal);
-    const double gap = (portal.along - portal.outer) / length;
-    if (gap > best) best = gap, decision.witness = portal.normal / length;
-    if (gap > 0.0) {
-      if (proven_gap_along(a, b, r, decision.witness) > min_gap) {
-        decision.verdict = Verdict::separated;
-        return true;
-      }
-    } else if (portal.inner > portal.along) {
-      CommonPoint x = common_point(portal, r);
-      if (proves_overlap(a, b, r, min_gap, x)) {
-        decision.verdict = Verdict::overlapping;
-        if (min_gap == 0.0) decision.witness = x.in_a;
-        return true;
-      }
+    decision.witness = portal.normal;
+    if (portal.along > portal.outer) {
+      const Vec3 d = normalized(portal.normal);
+      if (!(proven_gap_along(a, b, r, d) > min_gap)) return false;
+      decision = {Verdict::separated, d};
+      return true;
     }
-    return false;
+    if (!(portal.inner > portal.along)) return false;
+    CommonPoint x = common_point(portal, r);
+    if (!proves_overlap(a, b, r, min_gap, x)) return false;
+    decision.verdict = Verdict::overlapping;
+    if (min_gap == 0.0) decision.witness = x.in_a;
+    return true;
   });
+  const bool is_point = decision.verdict == Verdict::overlapping && min_gap == 0.0;
+  if (!is_point) decision.witness = normalized(decision.witness);
   return decision;
 }
 
-/// contact_scale() of contact.hpp: both sides of equation (1) of portal.hpp with their rounding. It
-/// is that of the products n.r, of S, and of the corners of the portal; the latter move the point
-/// where the ray leaves M by no more than they err over the ball inside M.
+/// contact_scale() of contact.hpp. Below: equation (1) of portal.hpp with the rounding of n.r and
+/// S. Above: with p the point of the portal where the ray crosses it, r = l p + m lies in l M grown
+/// by |m|, and M holds a ball of radius e, so that mu <= l + |m| / e. The bound holds for any point
+/// of the portal, and so does not ask whether rounding has left the ray inside.
 template <class A, class B>
 ContactScale contact_scale(const A& a, const B& b, const Vec3& r) noexcept {
-  if (norm_sq(r) == 0.0) return {0.0, 0.0};
+  const double r_sq = norm_sq(r);
+  if (r_sq == 0.0) return {0.0, 0.0};
   const MinkowskiSum<A, B> sum(a, b);
   const double support_slack = (kSupportRoundoff + 4 * kUnitRoundoff) * (reach(a) + reach(b));
-  const double product_slack = 4 * kUnitRoundoff * norm(r);
-  const double grow = 1.0 + support_slack / (least_reach(a) + least_reach(b));
+  const double product_slack = 4 * kUnitRoundoff * std::sqrt(r_sq);
+  const double ball = least_reach(a) + least_reach(b);
   ContactScale scale{0.0, std::numeric_limits<double>::infinity()};
   search<A>(sum, r, [&](const Portal& portal) {
     const double length = norm(portal.normal);
-    const double support = length * support_slack, product = length * product_slack;
-    scale.lower = std::fmax(scale.lower, (portal.along - product) / (portal.outer + support));
-    double inner = portal.inner;
-    for (int i = 0; i < portal.count; ++i) {
-      inner = std::fmin(inner, dot(portal.normal, portal.corner[i].sum));
-    }
-    if (inner > support) {
-      scale.upper = std::fmin(scale.upper, grow * (portal.along + product) / (inner - support));
+    scale.lower = std::fmax(scale.lower, (portal.along - length * product_slack) /
+                                             (portal.outer + length * support_slack));
+    const Weights weights = crossing_weights(portal, r);
+    Vec3 p;
+    for (int i = 0; i < portal.count; ++i) p += weights.of[i] * portal.corner[i].sum;
+    const double along = dot(p, r);
+    if (along > 0.0) {
+      const double l = r_sq / along;
+      const double off = norm(r - l * p) + l * support_slack + product_slack;
+      scale.upper = std::fmin(scale.upper, l + off / ball);
     }
     return portal.outer - portal.inner <= 1e-14 * portal.outer;
   });

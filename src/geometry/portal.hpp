@@ -61,6 +61,12 @@ inline BaseCorner base_corner(const Portal& portal) {
   return ca >= ab ? BaseCorner{1, 2, 0} : BaseCorner{2, 0, 1};
 }
 inline Vec3 normal_of(const Portal& portal) {
+  const auto& [a, b, c] = portal.corner;
+  const Vec3 ab = b.sum - a.sum, ac = c.sum - a.sum;
+  const Vec3 n = cross(ab, ac);
+  // Any corner will do, unless the portal is a sliver.
+  constexpr double kSliver = 1e-2;
+  if (norm_sq(n) > kSliver * norm_sq(ab) * norm_sq(ac)) return n;
   const BaseCorner i = base_corner(portal);
   const Vec3& base = portal.corner[i.base].sum;
   return cross(portal.corner[i.next].sum - base, portal.corner[i.last].sum - base);
@@ -73,13 +79,11 @@ inline void split(Portal& portal, const SumPoint& tip, const Vec3& r) {
   auto& [a, b, c] = portal.corner;
   const Vec3 side = cross(r, tip.sum);
   const double at_a = dot(side, a.sum), at_b = dot(side, b.sum), at_c = dot(side, c.sum);
-  if (at_a >= 0.0 && at_b <= 0.0) {
-    c = tip;
-  } else if (at_c >= 0.0 && at_a <= 0.0) {
-    b = tip;
-  } else {
-    a = tip;
-  }
+  // Which corner goes cannot be foreseen: no branches, by whose failure a step would take twice as
+  // long.
+  const int without_b = (at_c >= 0.0) & (at_a <= 0.0);
+  const int without_c = (at_a >= 0.0) & (at_b <= 0.0);
+  portal.corner[without_c ? 2 : without_b] = tip;
 }
 
 }  // namespace detail

@@ -68,7 +68,8 @@ struct ContactScale {
 [[nodiscard]] Gap gap(const Body& a, const Body& b, const Vec3& r_ab) noexcept;
 
 /// Bounds on the common scale at which the pair touches, proven, to 1e-12 relative (pairs thinner
-/// than 1 : 50 to 2e-14 times the ratio of their outer and inner radii). r_ab = 0 gives {0, 0}.
+/// than 1 : 50 to 2e-14 times the ratio of their outer and inner radii; rods that are parallel but
+/// for rounding up to 500 times that). r_ab = 0 gives {0, 0}.
 [[nodiscard]] ContactScale contact_scale(const Body& a, const Body& b, const Vec3& r_ab) noexcept;
 
 /// g(d) of equation (1) less a bound on its rounding error, for unit d: a proven lower bound on the
