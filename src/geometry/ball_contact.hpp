@@ -76,4 +76,19 @@ Decision decide_ball(double radius, const Posed& b, const Vec3& r, double min_ga
   return {Verdict::undecided, -found.normal};
 }
 
+/// All stages, the cheap ones first. `ball` is the ball as a body of the kind of b, turned like b.
+template <class Pencil, class Posed, class Body>
+Decision decide_ball_in_stages(double radius, const Body& ball, const Body& b, const Vec3& r,
+                               double min_gap) {
+  const auto [least, largest] = extreme_semi_axes(b);
+  const Decision quick = decide_by_balls(radius, radius, least, largest, r, min_gap);
+  if (quick.verdict != Verdict::undecided) return quick;
+  PosedPair<Posed> pair(ball, b, r);
+  // The ball's support is computed another way here than in support().
+  pair.roundoff *= 2;
+  const Decision decision = decide_by_pencil<Pencil>(pair, min_gap);
+  if (decision.verdict != Verdict::undecided) return decision;
+  return decide_ball(radius, pair.b, r, min_gap);
+}
+
 }  // namespace packstone

@@ -252,16 +252,8 @@ ContactScale contact_scale(const Disk& a, const Disk& b, const Vec3& r_ab) noexc
 }
 
 Decision decide(const Disk& a, const Ellipse& b, const Vec3& r_ab, double min_gap) noexcept {
-  const auto [least, largest] = std::minmax({b.semi_axes.x, b.semi_axes.y});
-  const Vec3 r = in_plane(r_ab);
-  const Decision quick = decide_by_balls(a.radius, a.radius, least, largest, r, min_gap);
-  if (quick.verdict != Verdict::undecided) return quick;
-  PosedPair<PosedEllipse> pair(as_ellipse(a, b.angle), b, r);
-  // The disk's support is computed another way here than in support().
-  pair.roundoff *= 2;
-  const Decision decision = decide_by_pencil<EllipsePencil>(pair, min_gap);
-  if (decision.verdict != Verdict::undecided) return decision;
-  return decide_ball(a.radius, pair.b, r, min_gap);
+  return decide_ball_in_stages<EllipsePencil, PosedEllipse>(a.radius, as_ellipse(a, b.angle), b,
+                                                            in_plane(r_ab), min_gap);
 }
 
 Gap gap(const Disk& a, const Ellipse& b, const Vec3& r_ab) noexcept {
@@ -273,15 +265,9 @@ ContactScale contact_scale(const Disk& a, const Ellipse& b, const Vec3& r_ab) no
 }
 
 Decision decide(const Ellipse& a, const Ellipse& b, const Vec3& r_ab, double min_gap) noexcept {
-  const auto [least_a, largest_a] = std::minmax({a.semi_axes.x, a.semi_axes.y});
-  const auto [least_b, largest_b] = std::minmax({b.semi_axes.x, b.semi_axes.y});
   const Vec3 r = in_plane(r_ab);
-  const Decision quick = decide_by_balls(least_a, largest_a, least_b, largest_b, r, min_gap);
-  if (quick.verdict != Verdict::undecided) return quick;
-  const PosedPair<PosedEllipse> pair(a, b, r);
-  const Decision decision = decide_by_pencil<EllipsePencil>(pair, min_gap);
-  if (decision.verdict != Verdict::undecided) return decision;
-  return decide_closely(pair, gap(a, b, r), min_gap);
+  return decide_in_stages<EllipsePencil, PosedEllipse>(a, b, r, min_gap,
+                                                       [&] { return gap(a, b, r); });
 }
 
 Gap gap(const Ellipse& a, const Ellipse& b, const Vec3& r_ab) noexcept {

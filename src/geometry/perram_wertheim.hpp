@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "packstone/core/tolerances.hpp"
 #include "packstone/core/vec.hpp"
@@ -108,6 +109,13 @@ inline Vec3 any_direction(const Vec3& r) {
   return length > 0.0 ? r / length : Vec3{1, 0, 0};
 }
 
+inline std::pair<double, double> extreme_semi_axes(const Ellipsoid& body) {
+  return std::minmax({body.semi_axes.x, body.semi_axes.y, body.semi_axes.z});
+}
+inline std::pair<double, double> extreme_semi_axes(const Ellipse& body) {
+  return std::minmax({body.semi_axes.x, body.semi_axes.y});
+}
+
 /// Balls about and in the bodies, before anything is rotated.
 inline Decision decide_by_balls(double least_a, double largest_a, double least_b, double largest_b,
                                 const Vec3& r, double min_gap) {
@@ -164,6 +172,20 @@ Decision decide_closely(const PosedPair<Posed>& pair, const Gap& gap, double min
   const Vec3 middle = 0.5 * (gap.point_a + gap.point_b);
   if (pair.both_contain(middle)) return {Verdict::overlapping, middle};
   return {Verdict::undecided, gap.normal};
+}
+
+/// All stages, the cheap ones first. `find_gap()` is asked where rounding leaves the others open.
+template <class Pencil, class Posed, class Body, class FindGap>
+Decision decide_in_stages(const Body& a, const Body& b, const Vec3& r, double min_gap,
+                          const FindGap& find_gap) {
+  const auto [least_a, largest_a] = extreme_semi_axes(a);
+  const auto [least_b, largest_b] = extreme_semi_axes(b);
+  const Decision quick = decide_by_balls(least_a, largest_a, least_b, largest_b, r, min_gap);
+  if (quick.verdict != Verdict::undecided) return quick;
+  const PosedPair<Posed> pair(a, b, r);
+  const Decision decision = decide_by_pencil<Pencil>(pair, min_gap);
+  if (decision.verdict != Verdict::undecided) return decision;
+  return decide_closely(pair, find_gap(), min_gap);
 }
 
 /// Bracket of mu from (2) and (3), as narrow as rounding allows but not below 2e-13.

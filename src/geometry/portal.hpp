@@ -86,28 +86,34 @@ inline void split(Portal& portal, const SumPoint& tip, const Vec3& r) {
   portal.corner[without_c ? 2 : without_b] = tip;
 }
 
+/// The first bracket, from the direction of r with one corner only. True: the search ends there, as
+/// `visit` says or because the ray hits the corner. `across`: from the corner, around to the ray.
+template <class Sum, class Visit>
+bool ends_at_first_corner(const Sum& sum, const Vec3& r, Portal& portal, Visit& visit,
+                          Vec3& across) {
+  portal.count = 1;
+  portal.corner[0] = sum.support(r);
+  portal.normal = r;
+  portal.along = norm_sq(r);
+  portal.outer = dot(portal.corner[0].sum, r);
+  if (visit(portal)) return true;
+  across = cross(portal.corner[0].sum, r);
+  if (norm_sq(across) > 1e-30 * norm_sq(portal.corner[0].sum) * norm_sq(r)) return false;
+  portal.inner = portal.outer;
+  visit(portal);
+  return true;
+}
+
 }  // namespace detail
 
-/// Searches in space. `visit(portal)` sees each bracket, the first from the direction of r with
-/// one corner only, and returns true to end the search.
+/// Searches in space. `visit(portal)` sees each bracket and returns true to end the search.
 template <class Sum, class Visit>
 void search_portal(const Sum& sum, const Vec3& r, Visit&& visit) {
   Portal portal;
   auto& [a, b, c] = portal.corner;
-  portal.count = 1;
-  a = sum.support(r);
-  portal.normal = r;
-  portal.along = norm_sq(r);
-  portal.outer = dot(a.sum, r);
-  portal.inner = 0.0;
-  if (visit(portal)) return;
+  Vec3 across;
+  if (detail::ends_at_first_corner(sum, r, portal, visit, across)) return;
   b = a;
-  const Vec3 across = cross(b.sum, r);
-  if (norm_sq(across) <= 1e-30 * norm_sq(b.sum) * norm_sq(r)) {
-    portal.inner = portal.outer;
-    visit(portal);
-    return;
-  }
   a = sum.support(across);
   portal.count = 3;
   int step = 0;
@@ -136,19 +142,9 @@ template <class Sum, class Visit>
 void search_portal_2d(const Sum& sum, const Vec3& r, Visit&& visit) {
   Portal portal;
   auto& [a, b, c] = portal.corner;
-  portal.count = 1;
-  a = sum.support(r);
-  portal.normal = r;
-  portal.along = norm_sq(r);
-  portal.outer = dot(a.sum, r);
-  if (visit(portal)) return;
-  const double turn = cross(a.sum, r).z;
-  if (std::abs(turn) <= 1e-15 * norm(a.sum) * norm(r)) {
-    portal.inner = portal.outer;
-    visit(portal);
-    return;
-  }
-  const double sign = turn > 0.0 ? 1.0 : -1.0;  // of the turn from a to r
+  Vec3 across;
+  if (detail::ends_at_first_corner(sum, r, portal, visit, across)) return;
+  const double sign = across.z > 0.0 ? 1.0 : -1.0;  // of the turn from a to r
   const auto left = [sign](const Vec3& v) { return Vec3{-sign * v.y, sign * v.x, 0.0}; };
   portal.count = 2;
   int step = 0;
