@@ -8,9 +8,8 @@
 /// 1. The line of centers: reject by g(r/|r|) > 0, accept by the point of the line where the gauges
 ///    of both bodies are equal, when they are below 1.
 /// 2. The nearest points of the two axis segments, distance D apart: reject by g along the line
-/// that
-///    joins them (certain when D exceeds both radii), accept by the middle of what two balls about
-///    them share.
+///    that joins them (certain when D exceeds both radii), accept by the middle of what two balls
+///    about them share.
 /// 3. The axes as directions: reject.
 /// 4. The search that any convex pair gets.
 ///

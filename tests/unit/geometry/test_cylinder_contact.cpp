@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "geometry/convex_contact.hpp"
-#include "support/oracle.hpp"
-#include "support/pair_zoo.hpp"
+#include "support/each_pair.hpp"
 
 using namespace packstone;
 using zoo::Pair;
@@ -16,19 +15,14 @@ namespace {
 
 template <class A, class B>
 void compare_with_general(ShapeKind kind_a, ShapeKind kind_b) {
-  for (int i = 0; i < zoo::kPairClasses; ++i) {
-    Zoo zoo(600 + i);
-    for (int k = 0; k < 500; ++k) {
-      CAPTURE(name(kind_a), name(kind_b), i, k);
-      const Pair p = zoo.pair(kind_a, kind_b, static_cast<PairClass>(i));
-      const A& a = std::get<A>(p.a);
-      const B& b = std::get<B>(p.b);
-      const Verdict staged = decide(a, b, p.r, 0.0).verdict;
-      const Verdict general = convex::decide(a, b, p.r, 0.0).verdict;
-      const bool open = staged == Verdict::undecided || general == Verdict::undecided;
-      REQUIRE((open || staged == general));
-    }
-  }
+  zoo::for_each_pair(kind_a, kind_b, 600, 500, [](const Pair& p, PairClass, int) {
+    const A& a = std::get<A>(p.a);
+    const B& b = std::get<B>(p.b);
+    const Verdict staged = decide(a, b, p.r, 0.0).verdict;
+    const Verdict general = convex::decide(a, b, p.r, 0.0).verdict;
+    const bool open = staged == Verdict::undecided || general == Verdict::undecided;
+    REQUIRE((open || staged == general));
+  });
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/ellipsoid_contact.hpp"
 #include "support/oracle.hpp"
+#include "support/validation_seed.hpp"
 
 namespace packstone {
 namespace {
@@ -111,8 +112,8 @@ TEST_CASE("verdicts on 10^5 pairs of disk and ellipse are proven by their witnes
 }
 
 TEST_CASE("verdicts on 10^7 pairs of ellipses and of disk and ellipse are proven", "[validation]") {
-  check_verdicts(3, 10'000'000, kSame);
-  check_verdicts(4, 10'000'000, kAsDisk);
+  check_verdicts(validation_seed(3), 10'000'000, kSame);
+  check_verdicts(validation_seed(4), 10'000'000, kAsDisk);
 }
 
 template <class A>

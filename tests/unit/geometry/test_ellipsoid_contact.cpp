@@ -10,6 +10,7 @@
 #include "packstone/geometry/measures.hpp"
 #include "packstone/geometry/support.hpp"
 #include "support/oracle.hpp"
+#include "support/validation_seed.hpp"
 
 namespace packstone {
 namespace {
@@ -108,7 +109,7 @@ TEST_CASE("verdicts on 10^5 ellipsoid pairs of every class are proven by their w
 
 TEST_CASE("verdicts on 10^7 ellipsoid pairs of every class are proven by their witnesses",
           "[validation]") {
-  check_verdicts(2, 10'000'000);
+  check_verdicts(validation_seed(2), 10'000'000);
 }
 
 TEST_CASE("the bracket of the contact scale is closed to 1e-12 and holds the scale") {
@@ -269,7 +270,7 @@ void check_ball_pairs(std::uint64_t seed, int pairs) {
 TEST_CASE("ball and ellipsoid: 10^5 verdicts and gaps are proven") { check_ball_pairs(9, 100'000); }
 
 TEST_CASE("ball and ellipsoid: 10^7 verdicts and gaps are proven", "[validation]") {
-  check_ball_pairs(10, 10'000'000);
+  check_ball_pairs(validation_seed(10), 10'000'000);
 }
 
 TEST_CASE("ball and ellipsoid agree with two ellipsoids") {

@@ -5,38 +5,31 @@
 
 #include "geometry/axis_segments.hpp"
 #include "geometry/convex_contact.hpp"
-#include "support/oracle.hpp"
-#include "support/pair_zoo.hpp"
+#include "support/each_pair.hpp"
 
 using namespace packstone;
 using zoo::Pair;
 using zoo::PairClass;
-using zoo::Zoo;
 
 namespace {
 
 // The closed forms against the general kernels, on pairs of every class.
 template <class A, class B>
 void compare_with_general(ShapeKind kind_a, ShapeKind kind_b) {
-  for (int i = 0; i < zoo::kPairClasses; ++i) {
-    Zoo zoo(500 + i);
-    for (int k = 0; k < 60; ++k) {
-      CAPTURE(name(kind_a), name(kind_b), i, k);
-      const Pair p = zoo.pair(kind_a, kind_b, static_cast<PairClass>(i));
-      const A& a = std::get<A>(p.a);
-      const B& b = std::get<B>(p.b);
-      const Gap closed = gap(a, b, p.r);
-      // Points and segments that meet have no depth, which the general kernel needs.
-      if (closed.value < -0.999 * (margin(a) + margin(b)) && margin(b) > 0.0) continue;
-      const Gap general = convex::gap(a, b, p.r);
-      REQUIRE(std::abs(closed.value - general.value) <= closed.error + general.error);
-      REQUIRE(closed.error <= 1e-12 * (zoo::size_of(p) + norm(p.r)));
-      const Verdict fast = decide(a, b, p.r, 0.0).verdict;
-      const Verdict slow = convex::decide(a, b, p.r, 0.0).verdict;
-      const bool open = fast == Verdict::undecided || slow == Verdict::undecided;
-      REQUIRE((open || fast == slow));
-    }
-  }
+  zoo::for_each_pair(kind_a, kind_b, 500, 60, [](const Pair& p, PairClass, int) {
+    const A& a = std::get<A>(p.a);
+    const B& b = std::get<B>(p.b);
+    const Gap closed = gap(a, b, p.r);
+    // Points and segments that meet have no depth, which the general kernel needs.
+    if (closed.value < -0.999 * (margin(a) + margin(b)) && margin(b) > 0.0) return;
+    const Gap general = convex::gap(a, b, p.r);
+    REQUIRE(std::abs(closed.value - general.value) <= closed.error + general.error);
+    REQUIRE(closed.error <= 1e-12 * (zoo::size_of(p) + norm(p.r)));
+    const Verdict fast = decide(a, b, p.r, 0.0).verdict;
+    const Verdict slow = convex::decide(a, b, p.r, 0.0).verdict;
+    const bool open = fast == Verdict::undecided || slow == Verdict::undecided;
+    REQUIRE((open || fast == slow));
+  });
 }
 
 }  // namespace
