@@ -211,6 +211,7 @@ Search Adsorption::conclude(const TrialRun& outcome, Accept&& accept) {
 std::int64_t Adsorption::trial_budget() const {
   const std::int64_t split = list_->expected_split_cost();
   if (list_->part() > 0.5 && split < plain_budget() / 4) return 0;
+  if (turning_ == Turning::none && mask_ && list_->part() > mask_->part()) return 0;
   const double worth = is_ball(candidate_.outline) ? 0.25 : 1.0;
   return part_of(split, worth * list_->kept_by_last_split());
 }

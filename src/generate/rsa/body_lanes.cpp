@@ -259,30 +259,8 @@ BodyLanes::Rod BodyLanes::rod_of(const Outline& outline, double min_gap) const {
   return false;
 }
 
-// The same operations, one by one, whichever registers hold the lanes: equal bits.
-__attribute__((target("avx2"))) bool BodyLanes::ball_overlaps_wide(double radius, double min_gap,
-                                                                   const Vec3& center,
-                                                                   View& view) const {
-  return ball_overlaps_in(radius, min_gap, center, view);
-}
-
-__attribute__((target("avx2"))) bool BodyLanes::rod_overlaps_wide(const Outline& rod,
-                                                                  double min_gap,
-                                                                  const View& view) const {
-  return rod_overlaps_in(rod, min_gap, view);
-}
-
-bool BodyLanes::ball_overlaps(double radius, double min_gap, const Vec3& center, View& view) const {
-  return wide_ ? ball_overlaps_wide(radius, min_gap, center, view)
-               : ball_overlaps_in(radius, min_gap, center, view);
-}
-
-bool BodyLanes::rod_overlaps(const Outline& rod, double min_gap, const View& view) const {
-  return wide_ ? rod_overlaps_wide(rod, min_gap, view) : rod_overlaps_in(rod, min_gap, view);
-}
-
-std::int32_t BodyLanes::list_near(double reach, const View& view,
-                                  std::array<std::int32_t, kMost>& bodies) const {
+[[gnu::always_inline]] inline std::int32_t BodyLanes::list_near_in(
+    double reach, const View& view, std::array<std::int32_t, kMost>& bodies) const {
   // The part of the reach, squared, that counts as near [-].
   constexpr float near_part = 0.25F;
   const auto most = static_cast<float>(reach + margin_);
@@ -309,6 +287,38 @@ std::int32_t BodyLanes::list_near(double reach, const View& view,
   }
   std::copy_n(farther.begin(), far_count, bodies.begin() + near_count);
   return near_count + far_count;
+}
+
+// The same operations, one by one, whichever registers hold the lanes: equal bits.
+__attribute__((target("avx2"))) bool BodyLanes::ball_overlaps_wide(double radius, double min_gap,
+                                                                   const Vec3& center,
+                                                                   View& view) const {
+  return ball_overlaps_in(radius, min_gap, center, view);
+}
+
+__attribute__((target("avx2"))) bool BodyLanes::rod_overlaps_wide(const Outline& rod,
+                                                                  double min_gap,
+                                                                  const View& view) const {
+  return rod_overlaps_in(rod, min_gap, view);
+}
+
+bool BodyLanes::ball_overlaps(double radius, double min_gap, const Vec3& center, View& view) const {
+  return wide_ ? ball_overlaps_wide(radius, min_gap, center, view)
+               : ball_overlaps_in(radius, min_gap, center, view);
+}
+
+bool BodyLanes::rod_overlaps(const Outline& rod, double min_gap, const View& view) const {
+  return wide_ ? rod_overlaps_wide(rod, min_gap, view) : rod_overlaps_in(rod, min_gap, view);
+}
+
+__attribute__((target("avx2"))) std::int32_t BodyLanes::list_near_wide(
+    double reach, const View& view, std::array<std::int32_t, kMost>& bodies) const {
+  return list_near_in(reach, view, bodies);
+}
+
+std::int32_t BodyLanes::list_near(double reach, const View& view,
+                                  std::array<std::int32_t, kMost>& bodies) const {
+  return wide_ ? list_near_wide(reach, view, bodies) : list_near_in(reach, view, bodies);
 }
 
 }  // namespace packstone::rsa

@@ -76,6 +76,10 @@ class BodyLanes {
   bool ball_overlaps_wide(double radius, double min_gap, const Vec3& center, View& view) const;
   bool rod_overlaps_in(const Outline& rod, double min_gap, const View& view) const;
   bool rod_overlaps_wide(const Outline& rod, double min_gap, const View& view) const;
+  std::int32_t list_near_in(double reach, const View& view,
+                            std::array<std::int32_t, kMost>& bodies) const;
+  std::int32_t list_near_wide(double reach, const View& view,
+                              std::array<std::int32_t, kMost>& bodies) const;
   [[nodiscard]] std::array<std::uint32_t, 3> coarse(const Vec3& p) const;
 
   bool wide_;  // Has the processor registers for all lanes?

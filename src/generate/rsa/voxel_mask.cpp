@@ -72,9 +72,12 @@ class VoxelMask::BallRegion {
   [[nodiscard]] double lo() const { return center_.x + lo_; }
   [[nodiscard]] double hi() const { return center_.x + hi_; }
 
+  // Of x in [lo(), hi()].
   [[nodiscard]] bool holds(double x) const {
+    if (half_length_ == 0.0) return true;
     const double dx = x - center_.x;
     const double along = dx * axis_.x + off_;
+    if (std::abs(along) <= half_length_) return true;
     const double side = std::sqrt(std::max(0.0, dx * dx + off_sq_ - along * along));
     const double past_side = std::max(0.0, side - radius_);
     const double past_end = std::max(0.0, std::abs(along) - half_length_);
@@ -142,7 +145,7 @@ std::int64_t VoxelMask::expected_cost() const {
   double cost = static_cast<double>(open_.size());
   for (std::int32_t i = noticed_; i < placed_.size(); ++i) {
     const Outline& other = placed_.outline(i);
-    double lines = 10.0;
+    double lines = 7.0;
     for (std::size_t axis = 1; axis < dimension_; ++axis) {
       const double reach = ball_ + extent(other, axis) + placed_.min_gap();
       lines *= 2.0 * reach * counts_[axis] / length_[axis];
@@ -181,12 +184,12 @@ void VoxelMask::strike_out(const PlacedImage& image) {
 VoxelMask::Line VoxelMask::corners_in(BallRegion& region, std::int32_t y, std::int32_t z) const {
   if (!region.enter(corners_[1][y], corners_[2][z])) return 0;
   const double* x = corners_[0].data();
-  // Rounded outward by up to one corner.
   const double first = (region.lo() - origin_[0]) * per_edge_[0];
   const double last = (region.hi() - origin_[0]) * per_edge_[0];
   if (last < 0.0 || first > counts_[0]) return 0;
   auto lo = static_cast<std::int32_t>(std::max(first, 0.0));
-  auto hi = static_cast<std::int32_t>(std::min(last + 1.0, static_cast<double>(counts_[0])));
+  auto hi = static_cast<std::int32_t>(std::min(last, static_cast<double>(counts_[0])));
+  if (lo < first) ++lo;
   while (lo < hi && !region.holds(x[lo])) ++lo;
   while (lo < hi && !region.holds(x[hi])) --hi;
   return lo < hi ? ((Line{2} << (hi - lo)) - 1) << lo : 0;

@@ -11,6 +11,7 @@
 
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
+#include "packstone/geometry/contact.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "rsa_oracle.hpp"
 #include "scenes.hpp"
@@ -372,6 +373,85 @@ TEST_CASE("rsa_pack draws the center of the first body uniformly, between walls 
     // Five standard errors: of the mean sqrt(1/12 / n), of the mean square sqrt(4/45 / n).
     CHECK(sum[axis] / runs == Approx(0.5).margin(5.0 * std::sqrt(1.0 / 12 / runs)));
     CHECK(sum_sq[axis] / runs == Approx(1.0 / 3).margin(5.0 * std::sqrt(4.0 / 45 / runs)));
+  }
+}
+
+// Where the second of two bodies stands, seen from where the first one leaves most room: the corner
+// of the cell about it. And the axis of the second, where it is a cylinder.
+struct Placing {
+  Vec3 offset;
+  Vec3 axis{0, 0, 1};
+};
+
+Placing second_of(const Packing& packing) {
+  const Vec3 d = packing.inclusions[1].center - packing.inclusions[0].center;
+  Placing placing{
+      {d.x - std::floor(d.x) - 0.5, d.y - std::floor(d.y) - 0.5, d.z - std::floor(d.z) - 0.5}};
+  if (const auto* rod = std::get_if<Cylinder>(&packing.inclusions[1].body)) {
+    placing.axis = rod->axis;
+  }
+  return placing;
+}
+
+// The same by plain trials in a box about that corner, by the exact kernel.
+Placing second_by_plain_trials(const Body& first, Body second, double half, RandomStream& random) {
+  for (;;) {
+    const Placing trial{
+        {random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)},
+        random_direction(random)};
+    if (auto* rod = std::get_if<Cylinder>(&second)) rod->axis = trial.axis;
+    bool free = true;
+    for (int corner = 0; corner < 8 && free; ++corner) {
+      const Vec3 at{(corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5};
+      free = overlap(first, second, trial.offset - at) == Verdict::separated;
+    }
+    if (free) return trial;
+  }
+}
+
+// Things whose means tell one law of placings from another.
+std::array<double, 4> features(const Placing& placing) {
+  const Vec3& d = placing.offset;
+  return {norm(d), d.x * d.x, std::abs(dot(d, placing.axis)), placing.axis.z * placing.axis.z};
+}
+
+TEST_CASE("rsa_pack places the last body by the law of plain trials, mask and list or not") {
+  struct Case {
+    Body first, second;
+    double half;  // Of a box that holds all centers of the second body.
+  };
+  // One trial in a thousand fits, or fewer, so that most places are not found by plain trials.
+  const Case cases[] = {{Sphere{0.45}, Sphere{0.395}, 0.04},
+                        {Sphere{0.48}, Cylinder{0.2, 0.27, {0, 0, 1}}, 0.5},
+                        {Cylinder{0.3, 0.45, {0, 0, 1}}, Sphere{0.38}, 0.5}};
+  for (const Case& c : cases) {
+    constexpr int runs = 1500;
+    std::array<double, 4> sum{}, sum_sq{}, oracle{};
+    std::int64_t trials = 0;
+    for (int seed = 0; seed < runs; ++seed) {
+      RsaOptions options = with_seed(static_cast<std::uint64_t>(seed));
+      options.order = RsaOrder::as_given;
+      options.redraw_orientation = {false, true};
+      const RsaResult result = rsa_pack(Cell{}, {{c.first, 0}, {c.second, 1}}, options);
+      REQUIRE(result.stop == RsaStop::target_reached);
+      trials += result.trials;
+      RandomStream random(51, StreamId::test, static_cast<std::uint64_t>(seed));
+      const auto ours = features(second_of(result.packing));
+      const auto plain = features(second_by_plain_trials(c.first, c.second, c.half, random));
+      for (std::size_t k = 0; k < 4; ++k) {
+        sum[k] += ours[k] / runs;
+        sum_sq[k] += ours[k] * ours[k] / runs;
+        oracle[k] += plain[k] / runs;
+      }
+    }
+    CHECK(trials > 100 * runs);
+    const bool is_rod = std::holds_alternative<Cylinder>(c.second);
+    for (std::size_t k = 0; k < (is_rod ? 4 : 2); ++k) {
+      CAPTURE(name(kind(c.second)), k, trials);
+      // Five standard errors of a difference of two such means.
+      const double variance = sum_sq[k] - sum[k] * sum[k];
+      CHECK(sum[k] == Approx(oracle[k]).margin(5.0 * std::sqrt(2.0 * variance / runs)));
+    }
   }
 }
 
