@@ -97,6 +97,17 @@ bool holds(const Outline& body, const Vec3& x, double slack) {
   return norm_sq(x - t * body.axis) <= radius * radius;
 }
 
+// The point nearest to x, relative to the center, of the cylinder of a body with flat or round ends.
+Vec3 nearest_inside(const Outline& body, const Vec3& x) {
+  const double along = dot(body.axis, x);
+  const double half = body.half_length * (1.0 - 2 * kMargin);
+  const double radius = body.radius * (1.0 - 2 * kMargin);
+  const Vec3 across = x - along * body.axis;
+  const double side_sq = norm_sq(across);
+  const double part = side_sq > radius * radius ? radius / std::sqrt(side_sq) : 1.0;
+  return std::clamp(along, -half, half) * body.axis + part * across;
+}
+
 double norm1(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 // |e| times the part of the support function across the axis, along e / |e|.
@@ -186,8 +197,12 @@ Verdict verdict_of_segments(const Outline& a, const Outline& b, const Vec3& r,
   if (!exact_ends || length_sq > range_sq) return Verdict::undecided;
   const double slack = 0.5 * min_gap;
   const Vec3 point = closest.s * a.axis + ((a.radius + slack) / range) * e;
-  const bool both = holds(a, point, slack) && holds(b, point - r, slack);
-  return both ? Verdict::overlapping : Verdict::undecided;
+  if (holds(a, point, slack) && holds(b, point - r, slack)) return Verdict::overlapping;
+  // Where flat ends meet something: the point of one body nearest to the foot in the other.
+  const Vec3 foot_a = closest.s * a.axis, foot_b = r + closest.t * b.axis;
+  const bool meet = holds(b, nearest_inside(a, foot_b) - r, min_gap) ||
+                    holds(a, nearest_inside(b, foot_a - r) + r, min_gap);
+  return meet ? Verdict::overlapping : Verdict::undecided;
 }
 
 Glance glance(const Outline& a, const Outline& b, const Vec3& r, double min_gap) noexcept {

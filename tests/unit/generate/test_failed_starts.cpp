@@ -78,8 +78,8 @@ TEST_CASE("rsa_pack starts afresh when a body is proven not to fit, and says how
     CHECK(once.restarts == 0);
     CHECK(result.restarts > 0);
   }
-  // 0.45 is out of reach: the fullest start is kept.
-  const double large = std::cbrt(0.45 * 3.0 / (4.0 * std::numbers::pi * 21));
+  // 0.52 is out of reach: the fullest start is kept.
+  const double large = std::cbrt(0.52 * 3.0 / (4.0 * std::numbers::pi * 21));
   options.max_restarts = 20;
   const RsaResult best =
       rsa_pack(Cell{}, std::vector<OrderedBody>(21, OrderedBody{Sphere{large}, 0}), options);
