@@ -66,7 +66,9 @@ Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
   const Body body = in_standard_pose(ordered.body, turning_);
   const bool same = list_ && list_->turning() == turning_ && list_->body() == body;
   if (!same) list_.reset();
-  if (candidate_.body != body || item_ < 0) candidate_ = Candidate(body, placed_.needs_extents());
+  if (candidate_.body != body || item_ < 0 || placed_.needs_extents()) {
+    candidate_ = Candidate(body, placed_.needs_extents());
+  }
   const double r = candidate_.outline.in_radius;
   domain_ = centers_inside_walls(
       cell_, turning_ == Turning::none ? candidate_.half_extents : Vec3{r, r, r});

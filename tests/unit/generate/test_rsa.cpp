@@ -354,6 +354,18 @@ TEST_CASE("rsa_fill keeps the order of the source and skips nothing") {
   require_valid(result.packing);
 }
 
+TEST_CASE("rsa_fill goes on past the bodies that are searched one by one") {
+  for (const bool round : {true, false}) {
+    const auto source = [&](std::int64_t) {
+      return OrderedBody{round ? Body{Sphere{0.066}} : Body{Cylinder{0.05, 0.1, {0, 0.6, 0.8}}}, 0};
+    };
+    const RsaResult result = rsa_fill(Cell{}, source, with_seed(7));
+    CHECK(result.stop == RsaStop::saturated);
+    REQUIRE(result.packing.inclusions.size() > 200);
+    require_valid(result.packing);
+  }
+}
+
 TEST_CASE("rsa_pack draws the center of the first body uniformly, between walls as well") {
   Cell cell;
   cell.periodic = {true, false, true};
