@@ -6,10 +6,8 @@ add_library(packstone INTERFACE)
 add_library(packstone::packstone ALIAS packstone)
 set(packstone_layers)
 foreach(layer core geometry spatial structure generate io recipe)
-  if(TARGET packstone_${layer})
-    target_link_libraries(packstone INTERFACE packstone_${layer})
-    list(APPEND packstone_layers packstone_${layer})
-  endif()
+  target_link_libraries(packstone INTERFACE packstone_${layer})
+  list(APPEND packstone_layers packstone_${layer})
 endforeach()
 
 install(TARGETS packstone ${packstone_layers} EXPORT packstone-targets

@@ -383,12 +383,6 @@ std::vector<double> Hdf5Fields::numbers(const std::string& name) {
   return read_numbers(dataset);
 }
 
-std::vector<std::int64_t> Hdf5Fields::integers(const std::string& name) {
-  const Dataset dataset = open(name);
-  dataset.expect_list();
-  return read_integers(dataset);
-}
-
 std::vector<std::string> Hdf5Fields::texts(const std::string& name) {
   const Dataset dataset = open(name);
   dataset.expect_list();

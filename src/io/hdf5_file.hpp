@@ -105,7 +105,6 @@ class Hdf5Fields {
 
   /// Lists of any length.
   std::vector<double> numbers(const std::string& name);
-  std::vector<std::int64_t> integers(const std::string& name);
   std::vector<std::string> texts(const std::string& name);
 
   /// Columns of `rows` rows.

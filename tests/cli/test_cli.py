@@ -323,6 +323,18 @@ class Stopping(Case):
         self.assertRegex(done.stderr, r"spheres: \d+ of 20")
         self.check_kept("out_of_time")
 
+    def test_a_folder_that_vanishes_during_the_work_ends_with_1_and_says_so(self):
+        (self.folder / "gone").mkdir()
+        self.write("endless.toml", ENDLESS)
+        process = subprocess.Popen([PROGRAM, "pack", "endless.toml", "-o", "gone/out.json", "--quiet",
+                                    "--time-limit", "2 s"], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(1.0)
+        (self.folder / "gone").rmdir()
+        _, stderr = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 1, stderr)
+        self.assertIn("gone/out.json: cannot be written", stderr)
+
     def test_a_shortfall_is_one_in_json_too(self):
         self.write("endless.toml", ENDLESS)
         done = self.run_program("pack", "endless.toml", "-o", "out.json", "--set",

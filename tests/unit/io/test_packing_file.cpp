@@ -202,6 +202,10 @@ TEST_CASE("what a file could not give back is not written") {
   refused([](Packing& p) { p.inclusions[2].group = 9; }, "inclusion 2: group 9");
   refused([](Packing& p) { p.certificate->smallest_gap = NAN; }, "certificate.smallest_gap");
   refused([](Packing& p) { p.certificate->smallest_gap = -INFINITY; }, "certificate.smallest_gap");
+  refused([](Packing& p) { p.certificate->smallest_gap_error = NAN; },
+          "certificate.smallest_gap_error = nan, allowed are numbers >= 0");
+  refused([](Packing& p) { p.inclusions[1].body = Disk{1}; },
+          "shape disk does not belong in a 3D cell");
   refused([](Packing& p) { p.certificate->fraction = INFINITY; }, "certificate.fraction");
   refused([](Packing& p) { p.provenance->recipe_json = std::string("{"); }, "provenance.recipe");
   refused([](Packing& p) { p.provenance->recipe_json = "[1]"; }, "provenance.recipe");

@@ -166,6 +166,9 @@ TEST_CASE("what cannot be is refused before any work") {
   Recipe negative = order(kMixture);
   negative.min_gap = -1.0;
   CHECK_THROWS_WITH(pack(negative), Catch::Contains("min_gap = -1"));
+  Recipe timeless = order(kMixture);
+  timeless.time_limit = 0.0;
+  CHECK_THROWS_WITH(pack(timeless), Catch::Contains("time_limit = 0"));
 }
 
 TEST_CASE("what cannot be is named by file, line, key and value") {

@@ -195,6 +195,30 @@ std::vector<Wrong> wrong_recipes() {
       {"no part has weight",
        spheres("count = 3\nradius = { mixture = [ { weight = 0, value = 1 } ] }\n"),
        {"inclusions[0].radius.mixture", "sum to more than 0"}},
+      {"a law without parameters",
+       spheres("count = 3\nradius = { normal = 3 }\n"),
+       {"bad.toml:6: inclusions[0].radius.normal = 3; allowed is a table such as { mean = 1"}},
+      {"a width of zero outside the bounds",
+       spheres("count = 3\nradius = { normal = { mean = 1, std = 0, min = 2, max = 3 } }\n"),
+       {"bad.toml:6: inclusions[0].radius has the one value 1"}},
+      {"a mixture of nothing",
+       spheres("count = 3\nradius = { mixture = [] }\n"),
+       {"inclusions[0].radius.mixture = []; allowed is a list of parts"}},
+      {"a part that is a number",
+       spheres("count = 3\nradius = { mixture = [3] }\n"),
+       {"inclusions[0].radius.mixture[0] = 3; allowed is a part such as { weight"}},
+      {"a table that is a number",
+       spheres("count = 3\nradius = { table = 3 }\n"),
+       {"inclusions[0].radius.table = 3; allowed is the name of a file"}},
+      {"a table without weights",
+       spheres("count = 3\nradius = { table = { values = [1] } }\n"),
+       {"inclusions[0].radius.table.weights is missing; allowed is a list of numbers"}},
+      {"a table of a negative size",
+       spheres("count = 3\nradius = { table = { values = [1, -2], weights = [1, 1] } }\n"),
+       {"inclusions[0].radius.table", "each a number > 0; value 2 is -2.0"}},
+      {"a table without weight",
+       spheres("count = 3\nradius = { table = { values = [1], weights = [0] } }\n"),
+       {"inclusions[0].radius.table", "weights that sum to more than 0"}},
       {"a table that is not there",
        spheres("count = 3\nradius = { table = \"none.csv\" }\n"),
        {"bad.toml:6: inclusions[0].radius.table = \"none.csv\"; cannot read none.csv"}},
@@ -219,6 +243,12 @@ std::vector<Wrong> wrong_recipes() {
       {"a plane there is not",
        rods(kBoth + "aspect = 2\norientation = { planar = \"yx\" }\n"),
        {"inclusions[0].orientation.planar = \"yx\"; allowed is one of \"xy\", \"xz\", \"yz\""}},
+      {"a plane without normal",
+       rods(kBoth + "aspect = 2\norientation = { planar = {} }\n"),
+       {"inclusions[0].orientation.planar.normal is missing; allowed is a direction"}},
+      {"a tensor of two rows in 3D",
+       rods(kBoth + "aspect = 2\norientation = { tensor = [[1, 0], [0, 0]] }\n"),
+       {"inclusions[0].orientation.tensor", "three rows of three numbers"}},
       {"a tensor that is not symmetric",
        rods(kBoth + "aspect = 2\norientation = { tensor = [[1, 1, 0], [0, 0, 0], [0, 0, 0]] }\n"),
        {"bad.toml:8: inclusions[0].orientation.tensor", "a symmetric tensor"}},
@@ -322,4 +352,15 @@ TEST_CASE("a table of sizes that is none is named, cut short and made printable"
   const std::string message = with("noise.csv");
   CHECK_THAT(message, Catch::Contains("noise.csv:2: ?[31m?xxx") && Catch::Contains("..."));
   CHECK(message.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("what cannot be read as a recipe at all is said") {
+  const test::TemporaryFolder folder;
+  CHECK_THROWS_WITH(read_recipe(folder.path()), Catch::Contains("it is a folder, not a recipe"));
+  CHECK_THROWS_WITH(read_recipe(folder / "no.toml"), Catch::Contains("there is no such file"));
+  std::ofstream(folder / "p.json")
+      << R"({ "format": "packstone-packing", "version": 1, "groups": [], "inclusions": [],
+              "cell": { "size": [1, 1], "periodic": [true, true] } })";
+  CHECK_THROWS_WITH(read_recipe(folder / "p.json"),
+                    Catch::Contains("does not hold the recipe it came from"));
 }
