@@ -196,7 +196,7 @@ struct BodyLanes::Feet {
   const Floats eb = f.ex * b.ux + f.ey * b.uy + f.ez * b.uz;
   // How much of the way across, of length squared `across`, stays within `radius`: at most the root
   // of q = radius^2 / across, which is no less than 2 q / (1 + q).
-  const auto part = [](const Floats& radius, const Floats& across) {
+  const auto part = [](const Floats& radius, const Floats& across) __attribute__((always_inline)) {
     const Floats sq = radius * radius;
     return sq >= across ? Floats{} + 1.0F : 2.0F * sq / (sq + across);
   };
