@@ -97,7 +97,8 @@ bool holds(const Outline& body, const Vec3& x, double slack) {
   return norm_sq(x - t * body.axis) <= radius * radius;
 }
 
-// The point nearest to x, relative to the center, of the cylinder of a body with flat or round ends.
+// The point nearest to x, relative to the center, of the cylinder of a body with flat or round
+// ends.
 Vec3 nearest_inside(const Outline& body, const Vec3& x) {
   const double along = dot(body.axis, x);
   const double half = body.half_length * (1.0 - 2 * kMargin);
