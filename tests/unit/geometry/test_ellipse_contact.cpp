@@ -9,6 +9,7 @@
 #include "packstone/core/tolerances.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/ellipsoid_contact.hpp"
+#include "support/contact_properties.hpp"
 #include "support/oracle.hpp"
 #include "support/validation_seed.hpp"
 
@@ -145,22 +146,8 @@ TEST_CASE("contact of ellipses does not depend on names, place or unit") {
   RandomStream random(6, StreamId::test);
   for (int i = 0; i < 5'000; ++i) {
     const EllipsePair p = random_pair(random);
-    const Gap g = gap(p.a, p.b, p.r);
-    const Gap swapped = gap(p.b, p.a, -p.r);
-    CHECK(std::abs(swapped.value - g.value) <= swapped.error + g.error);
-
-    const double turn = random.uniform(-pi, pi);
-    const Quaternion q = from_axis_angle({0, 0, 1}, turn);
-    const Gap turned = gap(Ellipse{p.a.semi_axes, p.a.angle + turn},
-                           Ellipse{p.b.semi_axes, p.b.angle + turn}, rotate(q, p.r));
-    // Angles up to 2 pi are rounded to 4e-16, and so is the turned r.
-    const double slack = 2e-15 * (norm(p.r) + size_of(p.a, p.b));
-    CHECK(std::abs(turned.value - g.value) <= turned.error + g.error + slack);
-
-    const double unit = log_uniform(random, 1e-9, 1e9);
-    const Gap larger = gap(Ellipse{unit * p.a.semi_axes, p.a.angle},
-                           Ellipse{unit * p.b.semi_axes, p.b.angle}, unit * p.r);
-    CHECK(std::abs(larger.value / unit - g.value) <= larger.error / unit + g.error);
+    const Quaternion turn = from_axis_angle({0, 0, 1}, random.uniform(-pi, pi));
+    check_gap_invariance(p.a, p.b, p.r, turn, log_uniform(random, 1e-9, 1e9));
   }
 }
 
@@ -188,8 +175,7 @@ TEST_CASE("a longer semi-axis never widens the gap of ellipses") {
     const EllipsePair p = random_pair(random);
     Ellipse longer = p.a;
     (random.below(2) == 0 ? longer.semi_axes.x : longer.semi_axes.y) *= random.uniform(1.0, 2.0);
-    const Gap before = gap(p.a, p.b, p.r), after = gap(longer, p.b, p.r);
-    CHECK(after.value - after.error <= before.value + before.error);
+    check_no_wider(gap(p.a, p.b, p.r), gap(longer, p.b, p.r));
   }
 }
 
@@ -216,14 +202,7 @@ TEST_CASE("decide in the plane with a least gap agrees with the gap") {
   RandomStream random(10, StreamId::test);
   for (int i = 0; i < 10'000; ++i) {
     const EllipsePair p = random_pair(random);
-    const double min_gap = log_uniform(random, 1e-6, 1.0);
-    const Gap g = gap(p.a, p.b, p.r);
-    const Decision decision = decide(p.a, p.b, p.r, min_gap);
-    if (g.value - 3 * g.error > min_gap) REQUIRE(decision.verdict == Verdict::separated);
-    if (g.value + 3 * g.error < min_gap) REQUIRE(decision.verdict == Verdict::overlapping);
-    if (decision.verdict == Verdict::separated) {
-      REQUIRE(oracle::certified(p.a, p.b, p.r, min_gap, decision));
-    }
+    check_least_gap(p.a, p.b, p.r, log_uniform(random, 1e-6, 1.0));
   }
 }
 
