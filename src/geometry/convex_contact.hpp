@@ -102,11 +102,15 @@ ContactScale contact_scale(const A& a, const B& b, const Vec3& r) noexcept {
   const double support_slack = (kSupportRoundoff + 4 * kUnitRoundoff) * (reach(a) + reach(b));
   const double product_slack = 4 * kUnitRoundoff * std::sqrt(r_sq);
   const double ball = least_reach(a) + least_reach(b);
-  ContactScale scale{0.0, std::numeric_limits<double>::infinity()};
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  ContactScale scale{0.0, kNone};
   search<A>(sum, r, [&](const Portal& portal) {
     const double length = norm(portal.normal);
     scale.lower = std::fmax(scale.lower, (portal.along - length * product_slack) /
                                              (portal.outer + length * support_slack));
+    // A wide bracket is not worth the point, but for the first one.
+    const double width = portal.outer - portal.inner;
+    if (width > 1e-9 * portal.outer && scale.upper < kNone) return false;
     const Weights weights = crossing_weights(portal, r);
     Vec3 p;
     for (int i = 0; i < portal.count; ++i) p += weights.of[i] * portal.corner[i].sum;
@@ -116,7 +120,7 @@ ContactScale contact_scale(const A& a, const B& b, const Vec3& r) noexcept {
       const double off = norm(r - l * p) + l * support_slack + product_slack;
       scale.upper = std::fmin(scale.upper, l + off / ball);
     }
-    return portal.outer - portal.inner <= 1e-14 * portal.outer;
+    return width <= 1e-14 * portal.outer;
   });
   return scale;
 }

@@ -10,8 +10,6 @@
 #include "support/pair_zoo.hpp"
 
 using namespace packstone;
-using zoo::Pair;
-using zoo::PairClass;
 using zoo::Zoo;
 
 namespace {
