@@ -269,7 +269,7 @@ InvalidGroup::InvalidGroup(const std::string& label, int index, GroupField field
       why_(why) {}
 
 std::string InclusionLimit::why_not(double count) const {
-  const std::string allowed = "allowed are " + std::to_string(most) + " in all";
+  std::string allowed = "allowed are " + std::to_string(most) + " in all";
   if (bytes_each == 0.0) return allowed;
   const auto gigabytes = [&](double n) { return number_text(1e-9 * n * bytes_each, 3) + " GB"; };
   return "that needs some " + gigabytes(count) + " of memory, this machine has " +
