@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/memory_hints.hpp"
 
 namespace packstone {
 namespace {
@@ -44,9 +45,20 @@ HierarchicalGrid::Chunk::Chunk() noexcept {
   for (Floats& lanes : lo) lanes = Floats{inf, inf, inf, inf};
   for (Floats& lanes : hi) lanes = -Floats{inf, inf, inf, inf};
   std::fill_n(id, kLanes, -1);
+  core = Halves{};
 }
 
-HierarchicalGrid::HierarchicalGrid(const Cell& cell) : cell_(cell), periodic_(cell.periodic) {
+// A ball. Its center in units of the cell edges, lane by lane the same.
+struct HierarchicalGrid::Ball {
+  Floats center[3];
+  Floats edge[3];  // Of the cell [L].
+  Floats radius;   // [L].
+};
+
+HierarchicalGrid::HierarchicalGrid(const Cell& cell)
+    : cell_(cell),
+      core_slack_(0x1p-20 * std::max({cell.size.x, cell.size.y, cell.size.z})),
+      periodic_(cell.periodic) {
   check_cell(cell);
   const bool flat = cell.dimension == 2;
   per_edge_ = {1.0 / cell.size.x, 1.0 / cell.size.y, flat ? 0.0 : 1.0 / cell.size.z};
@@ -60,8 +72,10 @@ void HierarchicalGrid::clear() noexcept {
   rebuild_at_ = 0;
 }
 
-void HierarchicalGrid::insert(std::int32_t id, const Vec3& center, const Vec3& half_extents) {
-  const Entry entry{float_box(center, half_extents), id};
+void HierarchicalGrid::insert(std::int32_t id, const Vec3& center, const Vec3& half_extents,
+                              double core) {
+  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(core * (1.0 - 0x1p-23)));
+  const Entry entry{float_box(center, half_extents), id, static_cast<std::uint16_t>(bits >> 16)};
   if (size_ >= rebuild_at_) {
     std::vector<Entry> all = entries();
     all.push_back(entry);
@@ -70,6 +84,114 @@ void HierarchicalGrid::insert(std::int32_t id, const Vec3& center, const Vec3& h
     put(level_for(entry), entry);
   }
   ++size_;
+}
+
+inline bool HierarchicalGrid::chain_meets(const Level& level, std::size_t head,
+                                          const Ball& ball) noexcept {
+  using Words = std::uint32_t __attribute__((vector_size(16)));
+  constexpr float sure = 1.0F - 0x1p-18F;
+  for (const Chunk* chunk = &level.chunks[head];; chunk = &level.chunks[chunk->next]) {
+    const Floats dx = ball.edge[0] * (0.5F * (chunk->lo[0] + chunk->hi[0]) - ball.center[0]);
+    const Floats dy = ball.edge[1] * (0.5F * (chunk->lo[1] + chunk->hi[1]) - ball.center[1]);
+    const Floats dz = ball.edge[2] * (0.5F * (chunk->lo[2] + chunk->hi[2]) - ball.center[2]);
+    const Words bits = __builtin_convertvector(chunk->core, Words) << 16;
+    const Floats near = sure * (std::bit_cast<Floats>(bits) + ball.radius);
+    const Flags hit = dx * dx + dy * dy + dz * dz < near * near;  // False in free lanes, by NaN.
+    const auto halves = std::bit_cast<std::array<std::int64_t, 2>>(hit);
+    if ((halves[0] | halves[1]) != 0) return true;
+    if (chunk->next < 0) return false;
+  }
+}
+
+inline HierarchicalGrid::Ball HierarchicalGrid::ball_at(const Vec3& center,
+                                                        double radius) const noexcept {
+  Ball ball;
+  ball.radius = all_lanes(radius);
+  for (std::size_t a = 0; a < 3; ++a) {
+    ball.center[a] = all_lanes(center[a] * per_edge_[a]);
+    ball.edge[a] = all_lanes(cell_.size[a]);
+  }
+  return ball;
+}
+
+inline std::size_t HierarchicalGrid::home_of(const Level& level,
+                                             const Vec3& center) const noexcept {
+  std::size_t home = 0;
+  for (std::size_t a = 3; a-- > 0;) {
+    const int n = level.dims[a];
+    const int index = static_cast<int>(center[a] * per_edge_[a] * n);
+    home = home * n + static_cast<std::size_t>(std::min(index, n - 1));
+  }
+  return home;
+}
+
+inline std::array<HierarchicalGrid::AxisRange, 3> HierarchicalGrid::core_ranges(
+    const Level& level, const Vec3& center, double radius) const noexcept {
+  const double reach = radius + level.largest_core;
+  std::array<AxisRange, 3> ranges;
+  for (std::size_t a = 0; a < 3; ++a) {
+    ranges[a] = axis_range(level, (center[a] - reach) * per_edge_[a],
+                           (center[a] + reach) * per_edge_[a], a);
+  }
+  return ranges;
+}
+
+bool HierarchicalGrid::meets_core(const Vec3& center, double radius) const noexcept {
+  const double sure = radius - core_slack_;
+  if (sure <= 0.0) return false;
+  Ball ball = ball_at(center, sure);
+  for (const Level& level : levels_) {
+    if (chain_meets(level, home_of(level, center), ball)) return true;
+  }
+  for (const Level& level : levels_) {
+    if (level_meets(level, center, sure, ball)) return true;
+  }
+  return false;
+}
+
+bool HierarchicalGrid::meets_core_at_home(const Vec3& center, double radius) const noexcept {
+  const double sure = radius - core_slack_;
+  if (sure <= 0.0) return false;
+  const Ball ball = ball_at(center, sure);
+  return std::any_of(levels_.begin(), levels_.end(), [&](const Level& level) {
+    return chain_meets(level, home_of(level, center), ball);
+  });
+}
+
+bool HierarchicalGrid::level_meets(const Level& level, const Vec3& center, double radius,
+                                   Ball& ball) const noexcept {
+  return !walk(
+      level, core_ranges(level, center, radius),
+      [&](const Image& image) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          ball.center[a] = all_lanes(center[a] * per_edge_[a] - image[a]);
+        }
+      },
+      [&](std::size_t head, const Image&) { return !chain_meets(level, head, ball); });
+}
+
+void HierarchicalGrid::prefetch_home(const Vec3& center) const noexcept {
+  for (const Level& level : levels_) prefetch(&level.chunks[home_of(level, center)], sizeof(Chunk));
+}
+
+void HierarchicalGrid::prefetch_core(const Vec3& center, double radius) const noexcept {
+  for (const Level& level : levels_) prefetch_cells(level, core_ranges(level, center, radius));
+}
+
+void HierarchicalGrid::prefetch_query(const Vec3& center, const Vec3& half_extents,
+                                      double margin) const noexcept {
+  const UnitBox box = unit_box(center, half_extents, margin);
+  for (const Level& level : levels_) prefetch_cells(level, ranges_of(level, box));
+}
+
+void HierarchicalGrid::prefetch_cells(const Level& level,
+                                      const std::array<AxisRange, 3>& ranges) noexcept {
+  walk(
+      level, ranges, [](const Image&) {},
+      [&](std::size_t head, const Image&) {
+        prefetch(&level.chunks[head], sizeof(Chunk));
+        return true;
+      });
 }
 
 HierarchicalGrid::FloatBox HierarchicalGrid::float_box(const Vec3& center,
@@ -128,7 +250,10 @@ void HierarchicalGrid::shape_level(Level& level, const std::vector<Entry>& entri
     if (layout.cost < best.cost) best = layout;
   }
   level.dims = best.dims;
-  level.chunks.assign(static_cast<std::size_t>(best.dims[0]) * best.dims[1] * best.dims[2], {});
+  const std::size_t cells = static_cast<std::size_t>(best.dims[0]) * best.dims[1] * best.dims[2];
+  level.chunks.reserve(cells);
+  prefer_large_pages(level.chunks.data(), cells * sizeof(Chunk));
+  level.chunks.assign(cells, {});
 }
 
 void HierarchicalGrid::put(Level& level, const Entry& entry) {
@@ -155,6 +280,9 @@ void HierarchicalGrid::put(Level& level, const Entry& entry) {
     chunk.hi[a][lane] = entry.box.hi[a];
   }
   chunk.id[lane] = entry.id;
+  chunk.core[lane] = entry.core;
+  const auto bits = static_cast<std::uint32_t>(entry.core) << 16;
+  level.largest_core = std::max(level.largest_core, double{std::bit_cast<float>(bits)});
 }
 
 std::vector<HierarchicalGrid::Entry> HierarchicalGrid::entries() const {
@@ -165,7 +293,8 @@ std::vector<HierarchicalGrid::Entry> HierarchicalGrid::entries() const {
       for (int l = 0; l < chunk.count; ++l) {
         all.push_back({{{chunk.lo[0][l], chunk.lo[1][l], chunk.lo[2][l]},
                         {chunk.hi[0][l], chunk.hi[1][l], chunk.hi[2][l]}},
-                       chunk.id[l]});
+                       chunk.id[l],
+                       chunk.core[l]});
       }
     }
   }

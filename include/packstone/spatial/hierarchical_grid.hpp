@@ -3,6 +3,7 @@
 /// @file
 /// Which bodies come near this one? A hierarchy of grids over the cell, periodic images included.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -56,7 +57,28 @@ class HierarchicalGrid {
   /// @param center        Inside the cell [L].
   /// @param half_extents  Half edges of its box [L], see half_extents() of bounds.hpp. At most some
   ///                      500 periods long along a periodic axis.
-  void insert(std::int32_t id, const Vec3& center, const Vec3& half_extents);
+  /// @param core          Radius of a ball about the center that the body fills, for
+  ///                      meets_core() [L]. Finite, >= 0.
+  void insert(std::int32_t id, const Vec3& center, const Vec3& half_extents, double core = 0.0);
+
+  /// Does a ball come within the core of a stored body, images included: is the distance of the
+  /// centers certainly less than the sum of the radii? Far cheaper than a query, and it often
+  /// settles what a query would be asked for. May miss a core by 2^-20 of the longest cell edge or
+  /// 1 % of its radius.
+  ///
+  /// @param center  Of the ball, inside the cell [L].
+  /// @param radius  Of the ball [L].
+  [[nodiscard]] bool meets_core(const Vec3& center, double radius) const noexcept;
+
+  /// The first part of meets_core(), which finds most of it: looks only at the grid cells that
+  /// hold the center.
+  [[nodiscard]] bool meets_core_at_home(const Vec3& center, double radius) const noexcept;
+
+  /// Ask the memory for what meets_core_at_home(), meets_core(), query() will look at, so that many
+  /// of them wait for it together. Arguments as there.
+  void prefetch_home(const Vec3& center) const noexcept;
+  void prefetch_core(const Vec3& center, double radius) const noexcept;
+  void prefetch_query(const Vec3& center, const Vec3& half_extents, double margin) const noexcept;
 
   /// Visits every stored body, image by image, whose box comes within `margin` of the box asked
   /// for, along each axis. The image of a body stands at its center plus image_shift(cell, image).
@@ -81,6 +103,8 @@ class HierarchicalGrid {
   // this the compilers compare lane by lane: measured, queries take twice as long.
   using Floats = float __attribute__((vector_size(16)));
   using Flags = std::int32_t __attribute__((vector_size(16)));
+  // The upper half of a positive float, which is never more than the float: 8 bits of precision.
+  using Halves = std::uint16_t __attribute__((vector_size(8)));
   // Above all that floats in units of the cell edge add to an extent; 2^-22 of the edge.
   static constexpr double kFloatSlack = 0x1p-22;
 
@@ -97,12 +121,14 @@ class HierarchicalGrid {
   struct Entry {
     FloatBox box;
     std::int32_t id;
+    std::uint16_t core;
   };
   // Up to four bodies of one grid cell, lane by lane. Free lanes hold the box [inf, -inf].
   struct alignas(128) Chunk {
     Floats lo[3];
     Floats hi[3];
     std::int32_t id[kLanes];
+    Halves core;
     std::int32_t next = -1;
     std::int32_t count = 0;
 
@@ -114,6 +140,7 @@ class HierarchicalGrid {
     int exponent = 0;
     std::array<int, 3> dims{1, 1, 1};
     std::array<double, 3> reach{};  // Longest half extents, in units of the cell edges.
+    double largest_core = 0.0;      // [L].
     std::vector<Chunk> chunks;
   };
   // Grid cells along one axis, not wrapped, and the images that they belong to.
@@ -128,6 +155,11 @@ class HierarchicalGrid {
   static float rounded_up(double x) {
     return static_cast<float>(x + std::abs(x) * 0x1p-23) + std::numeric_limits<float>::min();
   }
+  static Floats all_lanes(double x) { return Floats{} + static_cast<float>(x); }
+  static int floor_to_int(double x) {
+    const int i = static_cast<int>(x);
+    return i - static_cast<int>(x < i);
+  }
   static int floor_div(int a, int n) { return a >= 0 ? a / n : -((n - 1 - a) / n); }
 
   UnitBox unit_box(const Vec3& center, const Vec3& half_extents, double margin) const {
@@ -140,57 +172,77 @@ class HierarchicalGrid {
     return box;
   }
 
-  AxisRange axis_range(const Level& level, const UnitBox& box, std::size_t a) const {
+  // The grid cells that [lo, hi] touches, in units of the cell edges.
+  AxisRange axis_range(const Level& level, double lo, double hi, std::size_t a) const {
     const int n = level.dims[a];
-    double first = std::floor((box.lo[a] - level.reach[a]) * n);
-    double last = std::floor((box.hi[a] + level.reach[a]) * n);
-    if (!periodic_[a]) {
-      const double end = n - 1;
-      first = first < 0.0 ? 0.0 : first < end ? first : end;
-      last = last < 0.0 ? 0.0 : last < end ? last : end;
-    }
-    const AxisRange range{static_cast<int>(first), static_cast<int>(last), 0, 0};
+    AxisRange range{floor_to_int(lo * n), floor_to_int(hi * n), 0, 0};
     if (range.first >= 0 && range.last < n) return range;
+    if (!periodic_[a])
+      return {std::clamp(range.first, 0, n - 1), std::clamp(range.last, 0, n - 1), 0, 0};
     return {range.first, range.last, floor_div(range.first, n), floor_div(range.last, n)};
   }
 
-  template <class Visit>
-  bool visit_level(const Level& level, const UnitBox& box, Visit& visit) const {
-    const AxisRange x = axis_range(level, box, 0);
-    const AxisRange y = axis_range(level, box, 1);
-    const AxisRange z = axis_range(level, box, 2);
+  // Calls look(head, image) for every grid cell of the ranges, image by image, and begin(image)
+  // before those of each image.
+  template <class Begin, class Look>
+  static bool walk(const Level& level, const std::array<AxisRange, 3>& ranges, Begin&& begin,
+                   Look&& look) {
+    const auto& [x, y, z] = ranges;
     Image image;
     for (image[2] = z.first_image; image[2] <= z.last_image; ++image[2]) {
       for (image[1] = y.first_image; image[1] <= y.last_image; ++image[1]) {
         for (image[0] = x.first_image; image[0] <= x.last_image; ++image[0]) {
-          if (!visit_image(level, {x, y, z}, box, image, visit)) return false;
+          begin(image);
+          if (!walk_image(level, ranges, image, look)) return false;
         }
       }
     }
     return true;
   }
 
-  template <class Visit>
-  static bool visit_image(const Level& level, const std::array<AxisRange, 3>& ranges,
-                          const UnitBox& box, const Image& image, Visit& visit) {
-    FloatBox seen;
+  template <class Look>
+  static bool walk_image(const Level& level, const std::array<AxisRange, 3>& ranges,
+                         const Image& image, Look&& look) {
     std::array<int, 3> first, last;
     for (std::size_t a = 0; a < 3; ++a) {
       const int n = level.dims[a];
       first[a] = image[a] == ranges[a].first_image ? ranges[a].first - image[a] * n : 0;
       last[a] = image[a] == ranges[a].last_image ? ranges[a].last - image[a] * n : n - 1;
-      seen.lo[a] = rounded_down(box.lo[a] - image[a]);
-      seen.hi[a] = rounded_up(box.hi[a] - image[a]);
     }
     for (int k = first[2]; k <= last[2]; ++k) {
       for (int j = first[1]; j <= last[1]; ++j) {
         const std::size_t row = (static_cast<std::size_t>(k) * level.dims[1] + j) * level.dims[0];
         for (int i = first[0]; i <= last[0]; ++i) {
-          if (!visit_chain(level, row + i, seen, image, visit)) return false;
+          if (!look(row + i, image)) return false;
         }
       }
     }
     return true;
+  }
+
+  // The grid cells whose bodies may reach the box.
+  std::array<AxisRange, 3> ranges_of(const Level& level, const UnitBox& box) const {
+    std::array<AxisRange, 3> ranges;
+    for (std::size_t a = 0; a < 3; ++a) {
+      ranges[a] = axis_range(level, box.lo[a] - level.reach[a], box.hi[a] + level.reach[a], a);
+    }
+    return ranges;
+  }
+
+  template <class Visit>
+  bool visit_level(const Level& level, const UnitBox& box, Visit& visit) const {
+    FloatBox seen;
+    return walk(
+        level, ranges_of(level, box),
+        [&](const Image& image) {
+          for (std::size_t a = 0; a < 3; ++a) {
+            seen.lo[a] = rounded_down(box.lo[a] - image[a]);
+            seen.hi[a] = rounded_up(box.hi[a] - image[a]);
+          }
+        },
+        [&](std::size_t head, const Image& image) {
+          return visit_chain(level, head, seen, image, visit);
+        });
   }
 
   template <class Visit>
@@ -210,6 +262,15 @@ class HierarchicalGrid {
     }
   }
 
+  struct Ball;
+  [[nodiscard]] Ball ball_at(const Vec3& center, double radius) const noexcept;
+  [[nodiscard]] std::size_t home_of(const Level& level, const Vec3& center) const noexcept;
+  [[nodiscard]] std::array<AxisRange, 3> core_ranges(const Level& level, const Vec3& center,
+                                                     double radius) const noexcept;
+  static bool chain_meets(const Level& level, std::size_t head, const Ball& ball) noexcept;
+  [[nodiscard]] bool level_meets(const Level& level, const Vec3& center, double radius,
+                                 Ball& ball) const noexcept;
+  static void prefetch_cells(const Level& level, const std::array<AxisRange, 3>& ranges) noexcept;
   FloatBox float_box(const Vec3& center, const Vec3& half_extents) const;
   double longest_half_extent(const FloatBox& box) const;
   int exponent_of(double half_extent) const;
@@ -221,6 +282,7 @@ class HierarchicalGrid {
   void rebuild(const std::vector<Entry>& entries);
 
   Cell cell_;
+  double core_slack_;               // For the rounding of the coordinates kept [L].
   std::array<double, 3> per_edge_;  // 1 / cell edge; 0 along z in 2D.
   std::array<bool, 3> periodic_;
   std::vector<Level> levels_;  // Largest bodies first.

@@ -172,6 +172,59 @@ TEST_CASE("a center on the edge of the cell is found from either side") {
   }
 }
 
+TEST_CASE("a ball meets cores as brute force finds, except for a hair") {
+  int met = 0, missed = 0, apart = 0;
+  for (int round = 0; round < 60; ++round) {
+    RandomStream random(11, StreamId::test, static_cast<std::uint64_t>(round));
+    const Cell cell = random_cell(random);
+    HierarchicalGrid grid(cell);
+    struct Core {
+      Vec3 center;
+      double radius;
+    };
+    std::vector<Core> cores;
+    for (int id = 0; id < 120; ++id) {
+      const Vec3 center = random_point(cell, random);
+      const double radius = 0.1 * std::pow(random.uniform(), 3.0);
+      cores.push_back({center, radius});
+      const Vec3 half_extents{1.5 * radius, 1.1 * radius, cell.dimension == 2 ? 0.0 : radius};
+      grid.insert(id, center, half_extents, radius);
+    }
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 center = random_point(cell, random);
+      const double radius = 0.1 * random.uniform();
+      double gap = 10.0;  // Between the ball and the nearest core, of the nearest image.
+      double allowed = 0.0;
+      for (const Core& core : cores) {
+        Vec3 d = core.center - center;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          if (cell.periodic[axis])
+            d[axis] -= cell.size[axis] * std::round(d[axis] / cell.size[axis]);
+        }
+        gap = std::min(gap, norm(d) - core.radius - radius);
+        allowed = std::max(allowed, 0.01 * core.radius + 0x1p-19);
+      }
+      const bool meets = grid.meets_core(center, radius);
+      if (grid.meets_core_at_home(center, radius)) REQUIRE(meets);
+      if (gap >= 0.0) REQUIRE_FALSE(meets);
+      if (gap < -allowed) REQUIRE(meets);
+      met += meets;
+      missed += gap < 0.0 && !meets;
+      apart += gap >= 0.0;
+    }
+  }
+  CHECK(met > 1000);
+  CHECK(apart > 1000);
+  CHECK(missed < 100);
+}
+
+TEST_CASE("bodies without a core are met by no ball") {
+  HierarchicalGrid grid{Cell{}};
+  for (int id = 0; id < 100; ++id) grid.insert(id, {0.01 * id, 0.5, 0.5}, {0.1, 0.1, 0.1});
+  CHECK_FALSE(grid.meets_core({0.505, 0.5, 0.501}, 1e-4));
+  CHECK(grid.meets_core({0.505, 0.5, 0.5}, 0.01));  // It holds a center, with a core of radius 0.
+}
+
 TEST_CASE("a visit that returns false ends the query") {
   HierarchicalGrid grid(Cell{});
   for (int id = 0; id < 100; ++id) grid.insert(id, {0.01 * id, 0.5, 0.5}, {0.1, 0.1, 0.1});
