@@ -3,7 +3,7 @@
 //
 //   bench_rsa tables [fixed|redraw] [runs] [count_each] [limit_s] [first_seed]
 //   bench_rsa blanks [fixed|redraw] [runs] [count_each] [limit_s] [first_seed]
-//   bench_rsa scaling [largest count]
+//   bench_rsa scaling [largest count] [ellipsoids|cylinders|spheres|ellipses] [threads]
 //   bench_rsa spheres [count]
 //
 // Times are processor times of the call of rsa_pack alone.
@@ -20,7 +20,9 @@
 #include <string>
 #include <vector>
 
+#include "packstone/core/random.hpp"
 #include "packstone/generate/rsa.hpp"
+#include "packstone/geometry/measures.hpp"
 #include "salnikov_2014.hpp"
 #include "scenes.hpp"
 
@@ -46,18 +48,22 @@ struct Outcome {
   std::int64_t restarts = 0;
   bool reached = false;
   std::uint64_t hash = 0;
+  double elapsed = 0.0;  // By the clock [s].
 };
 
-Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& options,
-                 double limit_s) {
+Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& options, double limit_s,
+                 const Cell& cell = {}, int threads = 1) {
   RunContext run;
+  run.threads(threads);
   run.deadline(RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(
                                               std::chrono::duration<double>(limit_s)));
+  const auto begin = RunContext::Clock::now();
   const double before = processor_seconds();
-  const RsaResult result = rsa_pack(Cell{}, bodies, options, run);
+  const RsaResult result = rsa_pack(cell, bodies, options, run);
   const double seconds = processor_seconds() - before;
+  const std::chrono::duration<double> elapsed = RunContext::Clock::now() - begin;
   return {seconds, result.restarts, result.stop == RsaStop::target_reached,
-          scenes::state_hash(result.packing)};
+          scenes::state_hash(result.packing), elapsed.count()};
 }
 
 // Short runs are repeated, since what else runs on the machine would be measured with them: the
@@ -147,26 +153,58 @@ void run_tables(const Mode& mode, int only_count, bool blanks) {
   }
 }
 
-void run_scaling(std::int64_t largest) {
-  fmt::print("equal ellipsoids, aspect 2, fraction 0.25; processor time, median\n");
-  fmt::print("   count     seconds   us each  peak MB  hash\n");
+struct Many {
+  std::string name;
+  Cell cell;
+  double fraction;
+};
+
+// `count` bodies that fill the part many.fraction of many.cell.
+std::vector<OrderedBody> many_bodies(const Many& many, std::int64_t count) {
+  if (many.name == "ellipsoids") return scenes::equal_ellipsoids(count, many.fraction, 2.0, 1);
+  const auto draw = [&](double size) {
+    std::vector<OrderedBody> bodies;
+    for (std::int64_t i = 0; i < count; ++i) {
+      RandomStream random(1, StreamId::test, static_cast<std::uint64_t>(i));
+      const Vec3 axis = random_direction(random);
+      const double u = random.uniform();
+      if (many.name == "cylinders") {
+        bodies.push_back({Cylinder{size, 3.0 * size, axis}, 0});
+      } else if (many.name == "spheres") {
+        bodies.push_back({Sphere{size * std::pow(4.0, u)}, 0});
+      } else {
+        bodies.push_back({Ellipse{{2.0 * size, size}, std::numbers::pi * u}, 0});
+      }
+    }
+    return bodies;
+  };
+  double total = 0.0;
+  for (const OrderedBody& ordered : draw(1.0)) total += volume(ordered.body);
+  return draw(std::pow(many.fraction / total, 1.0 / many.cell.dimension));
+}
+
+void run_scaling(std::int64_t largest, const Many& many, int threads) {
+  fmt::print("{}, fraction {}, {} threads; processor time, median\n", many.name, many.fraction,
+             threads);
+  fmt::print("   count     seconds   us each  elapsed s  peak MB  hash\n");
   for (std::int64_t count = 1000; count <= largest; count *= 10) {
     const int runs = count >= 1'000'000 ? 1 : count >= 100'000 ? 3 : 7;
-    std::vector<double> seconds;
+    std::vector<double> seconds, elapsed;
     std::uint64_t hash = 0;
-    const auto bodies = scenes::equal_ellipsoids(count, 0.25, 2.0, 1);
+    const auto bodies = many_bodies(many, count);
     for (int k = 0; k < runs; ++k) {
       RsaOptions options;
       options.seed = 1;
-      const Outcome outcome = run_once(bodies, options, 600.0);
+      const Outcome outcome = run_once(bodies, options, 600.0, many.cell, threads);
       seconds.push_back(outcome.seconds);
+      elapsed.push_back(outcome.elapsed);
       hash = outcome.hash;
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const double s = median(seconds);
-    fmt::print("{:8} {:11.4f} {:9.2f} {:8} {:016x}\n", count, s,
-               1e6 * s / static_cast<double>(count), usage.ru_maxrss / 1024, hash);
+    fmt::print("{:8} {:11.4f} {:9.2f} {:10.4f} {:8} {:016x}\n", count, s,
+               1e6 * s / static_cast<double>(count), median(elapsed), usage.ru_maxrss / 1024, hash);
     std::fflush(stdout);
   }
 }
@@ -193,7 +231,15 @@ void run_spheres(std::int64_t count) {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "tables";
   if (what == "scaling") {
-    run_scaling(argc > 2 ? std::atoll(argv[2]) : 100'000);
+    const std::string name = argc > 3 ? argv[3] : "ellipsoids";
+    const Many all[] = {{"ellipsoids", {}, 0.25},
+                        {"cylinders", {}, 0.20},
+                        {"spheres", {}, 0.30},
+                        {"ellipses", cell_2d(1.0, 1.0), 0.40}};
+    const auto* many =
+        std::find_if(std::begin(all), std::end(all), [&](const Many& m) { return m.name == name; });
+    if (many == std::end(all)) return 2;
+    run_scaling(argc > 2 ? std::atoll(argv[2]) : 100'000, *many, argc > 4 ? std::atoi(argv[4]) : 1);
     return 0;
   }
   if (what == "spheres") {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "generate/rsa/adsorption.hpp"
@@ -136,9 +137,10 @@ struct Kept {
 template <class At>
 std::vector<Inclusion> in_given_order(std::int64_t count, const std::vector<OrderedBody>& bodies,
                                       const std::vector<std::int64_t>& sequence, const At& at) {
-  std::vector<std::int64_t> placed_as(bodies.size(), -1);
+  std::vector<std::int32_t> placed_as(bodies.size(), -1);
   for (std::int64_t k = 0; k < count; ++k) {
-    placed_as[static_cast<std::size_t>(sequence[static_cast<std::size_t>(k)])] = k;
+    placed_as[static_cast<std::size_t>(sequence[static_cast<std::size_t>(k)])] =
+        static_cast<std::int32_t>(k);
   }
   std::vector<Inclusion> inclusions;
   inclusions.reserve(static_cast<std::size_t>(count));
@@ -253,14 +255,15 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
     adsorption.start(key_of_start(options.seed, start));
     Search search = Search::placed;
     double placed_volume = 0.0;
-    for (std::int64_t k = 0; k < count; ++k) {
-      const std::int64_t item = sequence[static_cast<std::size_t>(k)];
-      const OrderedBody& ordered = bodies[static_cast<std::size_t>(item)];
-      search = adsorption.place(ordered, item);
-      if (search != Search::placed) break;
-      placed_volume += volume(ordered.body);
-      run.report({"adsorbing", static_cast<double>(k + 1) / static_cast<double>(count),
-                  placed_volume / volume(cell), k + 1, count});
+    for (std::int64_t k = 0; k < count && search == Search::placed;) {
+      search =
+          adsorption.place_next(bodies, std::span(sequence).subspan(static_cast<std::size_t>(k)));
+      for (; k < adsorption.placed().size(); ++k) {
+        const std::int64_t item = sequence[static_cast<std::size_t>(k)];
+        placed_volume += volume(bodies[static_cast<std::size_t>(item)].body);
+      }
+      run.report({"adsorbing", static_cast<double>(k) / static_cast<double>(count),
+                  placed_volume / volume(cell), k, count});
     }
     if (placed_volume > best.volume) {
       const PlacedBodies& placed = adsorption.placed();

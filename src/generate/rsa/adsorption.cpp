@@ -24,17 +24,6 @@ std::int64_t part_of(std::int64_t cost, double part) {
   return static_cast<std::int64_t>(part * static_cast<double>(cost));
 }
 
-// The same rod about another axis: all else of its outline stays.
-template <class Rod>
-Candidate turned_rod(const Candidate& candidate, Rod rod, const Vec3& axis) {
-  rod.axis = axis;
-  Candidate turned;
-  turned.body = rod;
-  turned.outline = candidate.outline;
-  turned.outline.axis = axis;
-  return turned;
-}
-
 }  // namespace
 
 Turning turning_on_trial(const OrderedBody& ordered, const RsaOptions& options) {
@@ -44,14 +33,21 @@ Turning turning_on_trial(const OrderedBody& ordered, const RsaOptions& options) 
 }
 
 Adsorption::Adsorption(const Cell& cell, const RsaOptions& options, const RunContext& run,
-                       std::int64_t expected)
-    : cell_(cell), options_(options), run_(run), placed_(cell, options.min_gap, expected) {}
+                       std::int64_t expected, const BlockSizes& blocks)
+    : cell_(cell),
+      options_(options),
+      run_(run),
+      placed_(cell, options.min_gap, expected),
+      blocks_(blocks),
+      block_(placed_) {}
 
 void Adsorption::start(std::uint64_t key) {
   key_ = key;
   placed_.clear();
   list_.reset();
   mask_.reset();
+  pause_ = 0;
+  next_pause_ = blocks_.pause;
 }
 
 Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
@@ -62,58 +58,86 @@ Search Adsorption::place(const OrderedBody& ordered, std::int64_t item) {
       return as_search(stop);
     }
   }
-  turning_ = turning_on_trial(ordered, options_);
-  const Body body = in_standard_pose(ordered.body, turning_);
-  const bool same = list_ && list_->turning() == turning_ && list_->body() == body;
+  const Turning turning = turning_on_trial(ordered, options_);
+  const Body body = in_standard_pose(ordered.body, turning);
+  const bool same = has_list_for(body, turning);
   if (!same) list_.reset();
-  if (candidate_.body != body || item_ < 0 || placed_.needs_extents()) {
-    candidate_ = Candidate(body, placed_.needs_extents());
+  if (item_ < 0 || on_trial_.candidate.body != body || on_trial_.turning != turning ||
+      placed_.needs_extents()) {
+    on_trial_ = BodyOnTrial(placed_, body, turning);
   }
-  const double r = candidate_.outline.in_radius;
-  domain_ = centers_inside_walls(
-      cell_, turning_ == Turning::none ? candidate_.half_extents : Vec3{r, r, r});
-  if (cell_.dimension == 2) domain_.lo.z = domain_.hi.z = 0.0;
   trials_in_row_ = 0;
   item_ = item;
   if (!same) {
     const Search search = search_without_list();
     if (search != Search::no_room) return search;
-    const bool exact = mask_ && is_ball(candidate_.outline);
-    list_.emplace(placed_, candidate_, turning_, exact ? &*mask_ : nullptr);
+    const bool exact = mask_ && is_ball(on_trial_.candidate.outline);
+    list_.emplace(placed_, on_trial_.candidate, on_trial_.turning, exact ? &*mask_ : nullptr);
   }
   return try_vacancies(item);
 }
 
-// A center anywhere.
-inline Vec3 Adsorption::draw_center(TrialNumbers::Row& numbers) const {
-  const Vec3 &lo = domain_.lo, &hi = domain_.hi;
-  const double u = numbers.uniform(), v = numbers.uniform(), w = numbers.uniform();
-  return {std::min(lo.x + (hi.x - lo.x) * u, hi.x), std::min(lo.y + (hi.y - lo.y) * v, hi.y),
-          std::min(lo.z + (hi.z - lo.z) * w, hi.z)};
+Search Adsorption::place_next(const std::vector<OrderedBody>& bodies,
+                              std::span<const std::int64_t> rest) {
+  const std::int64_t item = rest.front();
+  const OrderedBody& next = bodies[static_cast<std::size_t>(item)];
+  const std::int64_t size =
+      std::min({std::ssize(rest), placed_.size() / blocks_.share, blocks_.most});
+  const Turning turning = turning_on_trial(next, options_);
+  if (pause_ > 0 || size < blocks_.least || !placed_.uses_grid() ||
+      has_list_for(in_standard_pose(next.body, turning), turning)) {
+    pause_ = std::max<std::int64_t>(pause_ - 1, 0);
+    return place(next, item);
+  }
+  return place_block(bodies, rest.first(static_cast<std::size_t>(size)));
 }
 
-Candidate Adsorption::draw_turned(TrialNumbers::Row& numbers) const {
-  if (turning_ == Turning::none) return candidate_;
-  if (!placed_.needs_extents() && turning_ == Turning::of_axis) {
-    if (const auto* cylinder = std::get_if<Cylinder>(&candidate_.body)) {
-      return turned_rod(candidate_, *cylinder, axis_at_random(numbers));
+// Ends before the first body whose plain trials might be given up: place() does it all over, and
+// from there on the rest of the block may have to go another way.
+Search Adsorption::place_block(const std::vector<OrderedBody>& bodies,
+                               std::span<const std::int64_t> items) {
+  list_.reset();
+  block_.clear();
+  for (const std::int64_t item : items) {
+    const OrderedBody& ordered = bodies[static_cast<std::size_t>(item)];
+    const Turning turning = turning_on_trial(ordered, options_);
+    const BodyOnTrial body(placed_, in_standard_pose(ordered.body, turning), turning);
+    block_.add(PlainTrials(body, key_, item));
+  }
+  const std::int64_t end = trials_never_given_up();
+  block_.look_ahead(end, run_);
+  if (const StopRequest stop = run_.stop_request(); stop != StopRequest::none) {
+    return as_search(stop);
+  }
+  for (std::int64_t i = 0; i < block_.size(); ++i) {
+    if (!block_.settle(i, end)) {
+      pause_ = next_pause_;
+      next_pause_ *= 2;
+      const std::int64_t item = items[static_cast<std::size_t>(i)];
+      return place(bodies[static_cast<std::size_t>(item)], item);
     }
+    const auto& [trials, accepted, clear_of] = block_[i];
+    TrialNumbers::Row row = trials.numbers.trial(accepted);
+    const Vec3 center = wrapped(cell_, trials.body.draw_center(row));
+    placed_.add(trials.body.draw_turned(placed_, row), center);
+    trials_ += accepted + 1;
   }
-  return Candidate(turned_at_random(candidate_.body, turning_, numbers), placed_.needs_extents());
+  next_pause_ = blocks_.pause;
+  return Search::placed;
 }
 
-bool Adsorption::fits(const Vec3& center, TrialNumbers::Row& numbers, std::int64_t& cost) const {
-  cost += Cost::trial;
-  PlacedBodies::View view;
-  if (!placed_.look_around(candidate_.outline, center, view, cost)) return false;
-  if (turning_ == Turning::none) {
-    return placed_.leaves_room_for(candidate_, center, view, cost);
-  }
-  const Candidate turned = draw_turned(numbers);
-  cost += Cost::trial;
-  return placed_.leaves_room_for(turned, center, view, cost) &&
-         is_inside(centers_inside_walls(cell_, turned.half_extents), center, cell_.dimension) &&
-         clears_own_images(cell_, turned, options_.min_gap);
+// Trials that try_anywhere() would certainly evaluate for any of the next bodies, as long as no
+// list of vacancies is needed.
+std::int64_t Adsorption::trials_never_given_up() const {
+  constexpr std::int64_t patience = 4096;
+  const std::int64_t within_budget =
+      kTrialsPerBlock *
+      (plain_budget(Turning::none) / (kTrialsPerBlock * BodyOnTrial::kMostCostInGrid) + 1);
+  return std::min({within_budget, options_.max_trials, patience});
+}
+
+bool Adsorption::has_list_for(const Body& body, Turning turning) const {
+  return list_ && list_->turning() == turning && list_->body() == body;
 }
 
 // Trials at the centers that `draw` gives. Search::no_room here only means that they have cost
@@ -123,19 +147,20 @@ Search Adsorption::try_centers(const TrialNumbers& numbers, std::int64_t budget,
   const auto trial = [&](std::int64_t k, std::int64_t& cost) {
     TrialNumbers::Row row = numbers.trial(k);
     const Vec3 center = draw(row);
-    return fits(center, row, cost);
+    return on_trial_.fits(placed_, center, row, cost);
   };
   const TrialRun outcome = run_trials(trials_in_row_, options_.max_trials, budget, run_, trial);
   return conclude(outcome, [&](std::int64_t k) {
     TrialNumbers::Row row = numbers.trial(k);
     const Vec3 center = wrapped(cell_, draw(row));
-    placed_.add(draw_turned(row), center);
+    placed_.add(on_trial_.draw_turned(placed_, row), center);
   });
 }
 
 Search Adsorption::try_anywhere(std::int64_t budget) {
   const TrialNumbers numbers(key_, StreamId::rsa_center, static_cast<std::uint64_t>(item_));
-  return try_centers(numbers, budget, [&](TrialNumbers::Row& row) { return draw_center(row); });
+  return try_centers(numbers, budget,
+                     [&](TrialNumbers::Row& row) { return on_trial_.draw_center(row); });
 }
 
 Search Adsorption::try_open_voxels() {
@@ -148,11 +173,11 @@ Search Adsorption::try_open_voxels() {
 
 // The mask for the candidate: that of the last body where it has the same inscribed ball.
 bool Adsorption::prepare_mask() {
-  const double ball = candidate_.outline.in_radius;
+  const double ball = on_trial_.candidate.outline.in_radius;
   if (placed_.uses_grid()) {
     mask_.reset();
-  } else if (!mask_ || !mask_->serves(ball, domain_)) {
-    mask_.emplace(placed_, ball, domain_);
+  } else if (!mask_ || !mask_->serves(ball, on_trial_.domain)) {
+    mask_.emplace(placed_, ball, on_trial_.domain);
   }
   return mask_.has_value();
 }
@@ -160,7 +185,7 @@ bool Adsorption::prepare_mask() {
 Search Adsorption::search_without_list() {
   Search search = try_anywhere(0);
   if (search != Search::no_room) return search;
-  if (!prepare_mask()) return try_anywhere(plain_budget());
+  if (!prepare_mask()) return try_anywhere(plain_budget(on_trial_.turning));
   search = try_anywhere(part_of(mask_->expected_cost(), kPlainPerMask));
   return search == Search::no_room ? try_open_voxels() : search;
 }
@@ -212,23 +237,25 @@ Search Adsorption::conclude(const TrialRun& outcome, Accept&& accept) {
 // poses and is cheap to split, it offers nothing that plain trials did not.
 std::int64_t Adsorption::trial_budget() const {
   const std::int64_t split = list_->expected_split_cost();
-  if (list_->part() > 0.5 && split < plain_budget() / 4) return 0;
-  if (turning_ == Turning::none && mask_ && list_->part() > mask_->part()) return 0;
-  const double worth = is_ball(candidate_.outline) ? 0.25 : 1.0;
+  if (list_->part() > 0.5 && split < plain_budget(on_trial_.turning) / 4) return 0;
+  if (on_trial_.turning == Turning::none && mask_ && list_->part() > mask_->part()) return 0;
+  const double worth = is_ball(on_trial_.candidate.outline) ? 0.25 : 1.0;
   return part_of(split, worth * list_->kept_by_last_split());
 }
 
 std::int64_t Adsorption::mask_budget() const {
-  if (turning_ != Turning::none) return part_of(plain_budget(), kTurnedPerList);
-  if (!is_ball(candidate_.outline)) return part_of(plain_budget(), kFixedPerList);
+  if (on_trial_.turning != Turning::none)
+    return part_of(plain_budget(on_trial_.turning), kTurnedPerList);
+  if (!is_ball(on_trial_.candidate.outline))
+    return part_of(plain_budget(on_trial_.turning), kFixedPerList);
   return mask_->size() * (Cost::trial + placed_.size() * Cost::pair);
 }
 
 // Plain trials may cost half of what a list of vacancies is likely to: a mean over those that
 // were needed so far, or a guess. So the two together cost little more than the better one.
-std::int64_t Adsorption::plain_budget() const {
+std::int64_t Adsorption::plain_budget(Turning turning) const {
   if (usual_list_cost_ > 0) return usual_list_cost_ / 2;
-  const std::int64_t per_body = turning_ == Turning::none ? 2000 : 12000;
+  const std::int64_t per_body = turning == Turning::none ? 2000 : 12000;
   return per_body * (10 + std::int64_t{placed_.size()});
 }
 

@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "generate/rsa/placed_bodies.hpp"
+#include "generate/rsa/plain_trials.hpp"
 #include "generate/rsa/pose.hpp"
-#include "generate/rsa/standing.hpp"
-#include "generate/rsa/trial_numbers.hpp"
+#include "generate/rsa/trial_block.hpp"
 #include "generate/rsa/trials.hpp"
 #include "generate/rsa/vacancy_list.hpp"
 #include "generate/rsa/voxel_mask.hpp"
@@ -24,12 +26,23 @@ namespace packstone::rsa {
 /// How the search for a place for one body ended.
 enum class Search { placed, no_room, given_up, cancelled, out_of_time };
 
+/// How many bodies are placed together, where they are many. It has no part in where they come to
+/// stand.
+struct BlockSizes {
+  std::int64_t least = 256;  ///< Fewer are placed one by one.
+  std::int64_t share = 32;   ///< One body for so many that stand: few of a block meet each other.
+  std::int64_t most = 16384;
+  /// After a block that ended early, as near saturation, so many are placed one by one; twice as
+  /// many each time that it happens again.
+  std::int64_t pause = 256;
+};
+
 /// Places bodies one after another into one cell.
 class Adsorption {
  public:
   /// @param expected  Bodies that will be placed, as far as known.
   Adsorption(const Cell& cell, const RsaOptions& options, const RunContext& run,
-             std::int64_t expected);
+             std::int64_t expected, const BlockSizes& blocks = {});
 
   /// Forgets all bodies. `key` is that of the random streams of this start.
   void start(std::uint64_t key);
@@ -37,14 +50,18 @@ class Adsorption {
   /// Places body number `item` of the order.
   Search place(const OrderedBody& ordered, std::int64_t item);
 
+  /// Places the next of `bodies` in the order `rest`, or several at once: to the bit what place()
+  /// does for one after another. Tells by placed().size() how many.
+  Search place_next(const std::vector<OrderedBody>& bodies, std::span<const std::int64_t> rest);
+
   [[nodiscard]] const PlacedBodies& placed() const { return placed_; }
   /// Over all starts.
   [[nodiscard]] std::int64_t trials() const { return trials_; }
 
  private:
-  [[nodiscard]] Vec3 draw_center(TrialNumbers::Row& numbers) const;
-  [[nodiscard]] Candidate draw_turned(TrialNumbers::Row& numbers) const;
-  [[nodiscard]] bool fits(const Vec3& center, TrialNumbers::Row& numbers, std::int64_t& cost) const;
+  [[nodiscard]] bool has_list_for(const Body& body, Turning turning) const;
+  Search place_block(const std::vector<OrderedBody>& bodies, std::span<const std::int64_t> items);
+  [[nodiscard]] std::int64_t trials_never_given_up() const;
   template <class Draw>
   Search try_centers(const TrialNumbers& numbers, std::int64_t budget, const Draw& draw);
   Search search_without_list();
@@ -58,24 +75,26 @@ class Adsorption {
   template <class Accept>
   Search conclude(const TrialRun& outcome, Accept&& accept);
   [[nodiscard]] std::int64_t trial_budget() const;
-  [[nodiscard]] std::int64_t plain_budget() const;
+  [[nodiscard]] std::int64_t plain_budget(Turning turning) const;
 
   const Cell& cell_;
   const RsaOptions& options_;
   const RunContext& run_;
   PlacedBodies placed_;
-  std::optional<VacancyList> list_;  // For candidate_ and its like, when plain trials did not do.
+  std::optional<VacancyList> list_;  // For on_trial_ and its like, when plain trials did not do.
   std::optional<VoxelMask> mask_;
-  Candidate candidate_;
-  std::int64_t item_ = -1;           // Number of candidate_.
-  Turning turning_ = Turning::none;  // Of candidate_.
-  CenterBox domain_;                 // Where its center may be.
+  BodyOnTrial on_trial_;
+  std::int64_t item_ = -1;  // Number of on_trial_.
   std::uint64_t key_ = 0;
   std::int64_t trials_ = 0;
   std::int64_t trials_in_row_ = 0;
   std::int64_t list_cost_ = 0;
   std::int64_t usual_list_cost_ = 0;
   int bodies_until_poll_ = 0;
+  BlockSizes blocks_;
+  std::int64_t pause_ = 0;  // Bodies to be placed one by one before the next block.
+  std::int64_t next_pause_ = 0;
+  TrialBlock block_;  // Of placed_.
 };
 
 }  // namespace packstone::rsa

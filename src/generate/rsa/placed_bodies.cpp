@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "packstone/core/memory_hints.hpp"
 #include "packstone/core/tolerances.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/contact.hpp"
@@ -121,6 +122,7 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
   }
   const auto count = static_cast<std::size_t>(expected);
   bodies_.reserve(count);
+  prefer_large_pages(bodies_.data(), count * sizeof(Placed));
   if (use_grid_) grid_.reserve(expected);
 }
 
@@ -136,39 +138,43 @@ void PlacedBodies::switch_to_grid() {
   use_grid_ = true;
   needs_extents_ = true;
   for (std::int32_t i = 0; i < size(); ++i) {
-    grid_.insert(i, bodies_[i].center, packstone::half_extents(bodies_[i].body));
+    grid_.insert(i, bodies_[i].center, packstone::half_extents(bodies_[i].body),
+                 bodies_[i].outline.in_radius);
   }
 }
 
 void PlacedBodies::add(const Candidate& candidate, const Vec3& center) {
   if (!use_grid_ && size() >= kMostSearchedOneByOne) switch_to_grid();
   if (use_grid_) {
-    grid_.insert(size(), center, packstone::half_extents(candidate.body));
+    grid_.insert(size(), center, packstone::half_extents(candidate.body),
+                 candidate.outline.in_radius);
   } else {
     lanes_.add(candidate.outline, center);
   }
-  bodies_.push_back({candidate.body, candidate.outline, center});
+  bodies_.push_back({candidate.outline, center, candidate.body});
   largest_circum_radius_ = std::max(largest_circum_radius_, candidate.outline.circum_radius);
 }
 
 bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, View& view,
                                std::int64_t& cost) const {
-  if (use_grid_) return true;
+  if (use_grid_) {
+    cost += Cost::search;
+    return !grid_.meets_core(center, outline.in_radius + min_gap_);
+  }
   cost += static_cast<std::int64_t>(lanes_.groups()) * Cost::pair;
   return !lanes_.ball_overlaps(outline.in_radius, min_gap_, center, view);
 }
 
 bool PlacedBodies::leaves_room_for(const Candidate& candidate, const Vec3& center, const View& view,
-                                   std::int64_t& cost) const {
+                                   std::int64_t& cost, std::int32_t since) const {
+  NearPairs near(*this, candidate);
+  if (use_grid_) return search_grid(candidate, center, near, since) && near.settle();
   const Outline& outline = candidate.outline;
-  if (!use_grid_ && outline.half_length > 0.0 && outline.ends != Outline::Ends::loose) {
+  if (outline.half_length > 0.0 && outline.ends != Outline::Ends::loose) {
     cost += static_cast<std::int64_t>(lanes_.groups()) * Cost::glance;
     if (lanes_.rod_overlaps(outline, min_gap_, view)) return false;
   }
-  NearPairs near(*this, candidate);
-  const bool possible = use_grid_ ? search_grid(candidate, center, near)
-                                  : search_listed(candidate, center, view, near);
-  const bool fits = possible && near.settle();
+  const bool fits = search_listed(candidate, center, view, near) && near.settle();
   cost += near.cost();
   return fits;
 }
@@ -233,8 +239,8 @@ Vec3 PlacedBodies::nearest_image(const Vec3& d) const {
           nearest(d.z, period_[2], per_period_[2])};
 }
 
-bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center,
-                               NearPairs& near) const {
+bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near,
+                               std::int32_t since) const {
   // In large packings most of the time goes into waiting for memory, so bodies are asked for some
   // at a time before the first of them is looked at.
   constexpr int capacity = 6;
@@ -253,8 +259,8 @@ bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center,
     return true;
   };
   const auto visit = [&](std::int32_t id, const HierarchicalGrid::Image& image) {
-    const auto* bytes = reinterpret_cast<const char*>(&bodies_[id]);
-    for (std::size_t line = 0; line < sizeof(Placed); line += 64) __builtin_prefetch(bytes + line);
+    if (id < since) return true;
+    prefetch(&bodies_[id], sizeof(Outline) + sizeof(Vec3));
     hits[static_cast<std::size_t>(count++)] = {id, image_shift(cell_, image)};
     return count < capacity || look_at_hits();
   };

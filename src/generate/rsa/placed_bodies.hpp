@@ -22,6 +22,9 @@ struct Cost {
   static constexpr std::int64_t pair = 1;     ///< A look at a pair of balls.
   static constexpr std::int64_t glance = 4;   ///< A look at a pair of outlines.
   static constexpr std::int64_t kernel = 60;  ///< The exact test.
+  /// A search of the grid, about what looks and tests come to in the mean. A flat rate, so that it
+  /// does not depend on the order in which the grid shows the bodies.
+  static constexpr std::int64_t search = 32;
 };
 
 /// A body on trial, with what every trial needs to know of it.
@@ -75,11 +78,27 @@ class PlacedBodies {
   [[nodiscard]] bool look_around(const Outline& outline, const Vec3& center, View& view,
                                  std::int64_t& cost) const;
 
+  /// A trial in steps, for many trials at once, where the grid is searched: after each step the
+  /// memory is asked for what the next one will look at. look_at_home() is part of look_around().
+  void expect_look_at_home(const Vec3& center) const { grid_.prefetch_home(center); }
+  [[nodiscard]] bool look_at_home(const Outline& outline, const Vec3& center) const {
+    return !grid_.meets_core_at_home(center, outline.in_radius + min_gap_);
+  }
+  void expect_look_around(const Outline& outline, const Vec3& center) const {
+    grid_.prefetch_core(center, outline.in_radius + min_gap_);
+  }
+  void expect_search(const Vec3& half_extents, const Vec3& center) const {
+    grid_.prefetch_query(center, half_extents, min_gap_);
+  }
+
   /// Does `candidate`, centered at `center` inside the cell, keep its distance from all bodies that
   /// stand? Its own images and the walls are not looked at. `view` is from look_around() for the
-  /// same center. Adds to `cost`.
+  /// same center. Adds to `cost`, except for the grid, whose rate look_around() has added.
+  ///
+  /// @param since  Where the grid is searched: leave out bodies of a lower number.
   [[nodiscard]] bool leaves_room_for(const Candidate& candidate, const Vec3& center,
-                                     const View& view, std::int64_t& cost) const;
+                                     const View& view, std::int64_t& cost,
+                                     std::int32_t since = 0) const;
 
   /// All images that can come within `reach` + min_gap of a point of the box [lo, hi], where reach
   /// is the circumscribed radius of the body whose center the point is.
@@ -90,10 +109,11 @@ class PlacedBodies {
                        std::vector<PlacedImage>& images) const;
 
  private:
+  // What most pairs are judged by comes first, in two cache lines.
   struct Placed {
-    Body body;
     Outline outline;
     Vec3 center;
+    Body body;
   };
   class NearPairs;
 
@@ -102,7 +122,8 @@ class PlacedBodies {
   bool add_farther_images(std::int32_t body, const Vec3& r, double reach, NearPairs& near) const;
   bool add_all_farther_images(std::int32_t body, const Vec3& r, double far, NearPairs& near) const;
   void switch_to_grid();
-  bool search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near) const;
+  bool search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near,
+                   std::int32_t since) const;
 
   [[nodiscard]] Vec3 nearest_image(const Vec3& d) const;
 

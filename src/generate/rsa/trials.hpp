@@ -20,6 +20,9 @@ struct TrialRun {
   StopRequest stop = StopRequest::none;
 };
 
+/// Trials between two looks at the budget.
+constexpr std::int64_t kTrialsPerBlock = 64;
+
 /// Evaluates trials first, first + 1, ... until one is accepted, `end` is reached, their cost
 /// exceeds `budget` (looked at after every block of trials), or `run` asks to stop.
 ///
@@ -28,7 +31,7 @@ struct TrialRun {
 template <class Trial>
 TrialRun run_trials(std::int64_t first, std::int64_t end, std::int64_t budget,
                     const RunContext& run, const Trial& trial) {
-  constexpr std::int64_t block_size = 64;
+  constexpr std::int64_t block_size = kTrialsPerBlock;
   constexpr std::int64_t blocks_alone = 16;  // Before threads are worth waking.
   constexpr std::size_t blocks_at_once = 128;
 
