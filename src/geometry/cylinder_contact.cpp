@@ -53,6 +53,14 @@ Decision decide_rods(const A& a, const B& b, const Vec3& r, double min_gap) {
   if (min_gap == 0.0 && apart < a.radius + b.radius) {
     const Vec3 x = axes.on_a + middle_of_overlap(a.radius, b.radius, apart) * axes.between;
     if (in_both(a, b, r, x)) return {Verdict::overlapping, x};
+    // The nearest points of nearly parallel axes are ends of them, where x has no room.
+    if (std::abs(dot(a.axis, b.axis)) > 1.0 - 1e-12) {
+      const double along = dot(a.axis, r);
+      const double low = std::fmax(-a.half_length, along - b.half_length);
+      const double high = std::fmin(a.half_length, along + b.half_length);
+      const Vec3 inward = x + 1e-3 * (0.5 * (low + high) - dot(a.axis, x)) * a.axis;
+      if (in_both(a, b, r, inward)) return {Verdict::overlapping, inward};
+    }
   }
   if (separates(dot(a.axis, r) < 0.0 ? -a.axis : a.axis) ||
       separates(dot(b.axis, r) < 0.0 ? -b.axis : b.axis)) {

@@ -9,7 +9,7 @@
 ///    of both bodies are equal, when they are below 1.
 /// 2. The nearest points of the two axis segments, distance D apart: reject by g along the line
 ///    that joins them (certain when D exceeds both radii), accept by the middle of what two balls
-///    about them share.
+///    about them share, for nearly parallel axes also a little inward of it.
 /// 3. The axes as directions: reject.
 /// 4. The search that any convex pair gets.
 ///
