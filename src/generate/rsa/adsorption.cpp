@@ -14,11 +14,11 @@ Search as_search(StopRequest request) {
 
 constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
 
-// What trials may cost, as parts of what the next means will cost. Measured: the times of small
-// packings are flat around these.
+// What trials may cost: anywhere, as a part of what the mask will; in the mask, as a multiple of
+// plain_budget(). Measured: the times of small packings are flat around these.
 constexpr double kPlainPerMask = 0.6;
-constexpr double kFixedPerList = 3.0;
-constexpr double kTurnedPerList = 30.0;  // Lists of poses that turn thin out slowly.
+constexpr double kFixedInMask = 3.0;
+constexpr double kTurnedInMask = 30.0;  // Lists of poses that turn thin out slowly.
 
 std::int64_t part_of(std::int64_t cost, double part) {
   return static_cast<std::int64_t>(part * static_cast<double>(cost));
@@ -234,7 +234,7 @@ Search Adsorption::conclude(const TrialRun& outcome, Accept&& accept) {
 // Trials before the next split get as much as the split will cost, times the part of the cells
 // that splits keep: where splitting thins the list fast, trials can wait. Balls split so cheaply,
 // and so surely come to a proof, that a quarter of it is best. As long as the list holds most
-// poses and is cheap to split, it offers nothing that plain trials did not.
+// poses and is cheap to split, or more than the mask does, it offers nothing that was not tried.
 std::int64_t Adsorption::trial_budget() const {
   const std::int64_t split = list_->expected_split_cost();
   if (list_->part() > 0.5 && split < plain_budget(on_trial_.turning) / 4) return 0;
@@ -243,11 +243,11 @@ std::int64_t Adsorption::trial_budget() const {
   return part_of(split, worth * list_->kept_by_last_split());
 }
 
+// Balls: what it costs to make a list from the mask.
 std::int64_t Adsorption::mask_budget() const {
-  if (on_trial_.turning != Turning::none)
-    return part_of(plain_budget(on_trial_.turning), kTurnedPerList);
-  if (!is_ball(on_trial_.candidate.outline))
-    return part_of(plain_budget(on_trial_.turning), kFixedPerList);
+  const std::int64_t plain = plain_budget(on_trial_.turning);
+  if (on_trial_.turning != Turning::none) return part_of(plain, kTurnedInMask);
+  if (!is_ball(on_trial_.candidate.outline)) return part_of(plain, kFixedInMask);
   return mask_->size() * (Cost::trial + placed_.size() * Cost::pair);
 }
 

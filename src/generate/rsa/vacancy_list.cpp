@@ -146,7 +146,6 @@ void VacancyList::start_with(const VoxelMask& mask) {
   cells_ = std::move(out.cells);
   neighbors_ = std::move(out.neighbors);
   neighbor_ends_ = std::move(out.neighbor_ends);
-  first_cost_ = out.cost;
   last_split_cost_ =
       static_cast<std::int64_t>(neighbors_.size()) * Cost::glance + size() * Cost::trial;
   last_split_children_ = std::max<std::int64_t>(1, size());

@@ -138,7 +138,6 @@ class VacancyList {
   std::vector<PoseCell> cells_;
   std::vector<std::int32_t> neighbors_;
   std::vector<std::int64_t> neighbor_ends_;
-  std::int64_t first_cost_ = 0;
   std::int64_t last_split_cost_ = 0;
   std::int64_t last_split_children_ = 1;
   double kept_by_last_split_ = 1.0;
