@@ -204,6 +204,20 @@ TEST_CASE("blocks leave the equals of a body that needed a list of vacancies to 
   }
 }
 
+TEST_CASE("a list of vacancies is not used again once blocks have placed other bodies") {
+  const Cell flat = cell_2d(1.0, 1.0);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    RsaOptions options;
+    options.seed = 200 + seed;
+    // Some twenty of the large ones fit; the small ones between them take part in blocks.
+    Scene scene{"large and small disks", flat, {}, options};
+    for (int k = 0; k < 200; ++k) scene.bodies.push_back({Disk{k % 2 == 0 ? 0.09 : 0.004}, 0});
+    const Outcome expected = place_all(scene, kOneByOne, 1, 5);
+    REQUIRE(expected.search == Search::no_room);
+    require_same(place_all(scene, {1, 1, 4, 0}, 1, 5), expected);
+  }
+}
+
 TEST_CASE("blocks of the size that long runs use place bodies as one by one does") {
   const Scene scene{"ellipsoids", Cell{}, mixture(Cell{}, 1, 1, 1.0, 0.2, 12'000), {}};
   const Outcome expected = place_all(scene, kOneByOne, 1);
