@@ -6,33 +6,13 @@
 
 #include "packstone/core/random.hpp"
 #include "scenes.hpp"
+#include "support/random_body.hpp"
 
 namespace packstone::test {
 namespace {
 
-Body random_body(ShapeKind shape, RandomStream& random) {
-  // Over many powers of ten, so that short and long decimals and exponents all occur.
-  const auto length = [&] { return std::pow(10.0, random.uniform(-12.0, 12.0)); };
-  switch (shape) {
-    case ShapeKind::sphere:
-      return Sphere{length()};
-    case ShapeKind::ellipsoid:
-      return Ellipsoid{{length(), length(), length()}, random_rotation(random)};
-    case ShapeKind::cylinder:
-      return Cylinder{length(), length(), random_direction(random)};
-    case ShapeKind::spherocylinder:
-      return Spherocylinder{length(), length(), random_direction(random)};
-    case ShapeKind::disk:
-      return Disk{length()};
-    case ShapeKind::ellipse:
-      break;
-  }
-  return Ellipse{{length(), length()}, random.uniform(-10.0, 10.0)};
-}
-
-ShapeKind random_shape(int dimension, RandomStream& random) {
-  return static_cast<ShapeKind>(dimension == 3 ? random.below(4) : 4 + random.below(2));
-}
+// Over many powers of ten, so that short and long decimals and exponents all occur.
+double random_length(RandomStream& random) { return std::pow(10.0, random.uniform(-12.0, 12.0)); }
 
 Certificate random_certificate(RandomStream& random) {
   Certificate c;
@@ -81,7 +61,8 @@ Packing random_packing(int dimension, int count, std::uint64_t seed,
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
       inclusion.center[axis] = random.uniform() * packing.cell.size[axis];
     }
-    inclusion.body = random_body(shape ? *shape : random_shape(dimension, random), random);
+    inclusion.body = random_body(shape ? *shape : random_shape(dimension, random), random,
+                                 [&] { return random_length(random); });
     inclusion.group = random.below(2) == 0 ? 0 : 2;
     packing.inclusions.push_back(inclusion);
   }

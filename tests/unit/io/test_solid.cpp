@@ -7,29 +7,22 @@
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/support.hpp"
+#include "support/random_body.hpp"
 
 namespace packstone::draw {
 namespace {
 
-Body random_body(int kind, RandomStream& random) {
-  const auto length = [&] { return std::exp(random.uniform(-1.5, 1.5)); };
-  switch (kind) {
-    case 0:
-      return Sphere{length()};
-    case 1:
-      return Ellipsoid{{length(), length(), length()}, random_rotation(random)};
-    case 2:
-      return Cylinder{length(), length(), random_direction(random)};
-    default:
-      return Spherocylinder{length(), length(), random_direction(random)};
-  }
+// All shapes of space in turn.
+Body random_solid_body(int trial, RandomStream& random) {
+  return test::random_body(static_cast<ShapeKind>(trial % 4), random,
+                           [&] { return std::exp(random.uniform(-1.5, 1.5)); });
 }
 
 TEST_CASE("a ray is inside a solid exactly between enter and leave") {
   RandomStream random(5, StreamId::test);
   int crossed = 0;
   for (int trial = 0; trial < 20'000; ++trial) {
-    const Body body = random_body(trial % 4, random);
+    const Body body = random_solid_body(trial, random);
     const Vec3 center{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     const Solid solid = make_solid(body, center, {}, false);
     const double reach = circum_radius(body);
@@ -54,7 +47,7 @@ TEST_CASE("a ray is inside a solid exactly between enter and leave") {
 TEST_CASE("the normal of a crossing is unit, outward, and against the ray") {
   RandomStream random(6, StreamId::test);
   for (int trial = 0; trial < 4'000; ++trial) {
-    const Body body = random_body(trial % 4, random);
+    const Body body = random_solid_body(trial, random);
     const Solid solid = make_solid(body, {}, {}, false);
     const double reach = circum_radius(body);
     const Vec3 origin = 3.0 * reach * random_direction(random);

@@ -11,6 +11,7 @@
 #include "packstone/io/packing_file.hpp"
 #include "packstone/io/witness_file.hpp"
 #include "packstone/structure/check_packing.hpp"
+#include "support/random_body.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace packstone;
@@ -18,24 +19,6 @@ using namespace packstone;
 namespace {
 
 constexpr const char* kHead = "# packstone-witness 1\n";
-
-Body random_body(int dimension, RandomStream& random) {
-  const auto size = [&] { return random.uniform(0.03, 0.25); };
-  if (dimension == 2) {
-    if (random.below(2) == 0) return Disk{size()};
-    return Ellipse{{size(), size()}, random.uniform(0.0, 3.0)};
-  }
-  switch (random.below(4)) {
-    case 0:
-      return Sphere{size()};
-    case 1:
-      return Ellipsoid{{size(), size(), size()}, random_rotation(random)};
-    case 2:
-      return Cylinder{size(), size(), random_direction(random)};
-    default:
-      return Spherocylinder{size(), size(), random_direction(random)};
-  }
-}
 
 // As many random bodies as `throws` leave apart, of all shapes.
 Packing certified_packing(int dimension, int throws) {
@@ -45,7 +28,9 @@ Packing certified_packing(int dimension, int throws) {
   packing.groups = {"all"};
   for (int k = 0; k < throws; ++k) {
     const Vec3 center{random.uniform(), random.uniform(), dimension == 3 ? random.uniform() : 0.0};
-    packing.inclusions.push_back({center, random_body(dimension, random), 0});
+    const Body body = test::random_body(test::random_shape(dimension, random), random,
+                                        [&] { return random.uniform(0.03, 0.25); });
+    packing.inclusions.push_back({center, body, 0});
     if (!check_packing(packing).passed()) packing.inclusions.pop_back();
   }
   return packing;

@@ -8,6 +8,7 @@
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/structure/check_packing.hpp"
+#include "support/random_body.hpp"
 
 namespace packstone {
 namespace {
@@ -85,26 +86,13 @@ TEST_CASE("a fiber of very many periods is refused at once") {
              Catch::Contains("1000000 images"));
 }
 
-Body random_body(RandomStream& random) {
-  const auto length = [&] { return random.uniform(0.05, 0.7); };
-  switch (random.below(4)) {
-    case 0:
-      return Sphere{length()};
-    case 1:
-      return Ellipsoid{{length(), length(), length()}, random_rotation(random)};
-    case 2:
-      return Cylinder{length(), length(), random_direction(random)};
-    default:
-      return Spherocylinder{length(), length(), random_direction(random)};
-  }
-}
-
 TEST_CASE("whether a body can stand agrees with the check of a packing of it alone") {
   int standing = 0;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     RandomStream random(seed, StreamId::test);
     const Cell cell{3, {1, 0.8, 1.1}, {seed % 2 == 0, true, seed % 3 != 0}};
-    const Body body = random_body(random);
+    const Body body = test::random_body(test::random_shape(3, random), random,
+                                        [&] { return random.uniform(0.05, 0.7); });
     const bool can = !why_it_cannot_stand(cell, body, 0.0, Turn::as_given);
     const CenterBox box = centers_inside_walls(cell, half_extents(body));
     const bool has_place = box.lo.x <= box.hi.x && box.lo.z <= box.hi.z;
