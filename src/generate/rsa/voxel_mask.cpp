@@ -110,7 +110,8 @@ VoxelMask::VoxelMask(const PlacedBodies& placed, double ball, const CenterBox& d
     per_edge_[axis] = length_[axis] > 0.0 ? counts_[axis] / length_[axis] : 0.0;
     for (std::int32_t k = 0; k <= counts_[axis]; ++k) corners_[axis][k] = corner(axis, k);
   }
-  open_.assign(static_cast<std::size_t>(counts_[1] * counts_[2]), (Line{1} << counts_[0]) - 1);
+  open_.assign(static_cast<std::size_t>(counts_[1]) * static_cast<std::size_t>(counts_[2]),
+               (Line{1} << counts_[0]) - 1);
 }
 
 bool VoxelMask::serves(double ball, const CenterBox& domain) const {
