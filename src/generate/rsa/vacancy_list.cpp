@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "generate/rsa/box_cuts.hpp"
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/tolerances.hpp"
 #include "packstone/geometry/contact.hpp"
@@ -29,49 +30,6 @@ constexpr double kBoxMargin = 8 * kUnitRoundoff;
 double lever(const Outline& outline) {
   return outline.ends == Outline::Ends::loose ? outline.circum_radius - outline.in_radius
                                               : outline.half_length;
-}
-
-// Is a ball overlapped from every point of a box of half edges `half`? `r` is from the middle of
-// the box; the farthest corner decides.
-bool covers_as_ball(const Outline& a, const Outline& b, const Vec3& half, const Vec3& r,
-                    double min_gap) {
-  const double near = a.in_radius + b.in_radius + min_gap;
-  const Vec3 farthest{std::abs(r.x) + half.x, std::abs(r.y) + half.y, std::abs(r.z) + half.z};
-  return norm_sq(farthest) <= near * near;
-}
-
-// Can it be touched from a point of the box?
-bool reaches_as_ball(const Outline& a, const Outline& b, const Vec3& half, const Vec3& r,
-                     double min_gap) {
-  const double far = a.circum_radius + b.circum_radius + min_gap;
-  const auto past = [](double x, double h) { return std::max(0.0, std::abs(x) - h); };
-  const Vec3 nearest{past(r.x, half.x), past(r.y, half.y), past(r.z, half.z)};
-  return norm_sq(nearest) <= far * far;
-}
-
-// How far the point p, from the center of the body, lies outside of the body grown by `range`, and
-// along which direction it leaves. The distance is convex: from p on it grows along `normal` at
-// least as fast as the way, and nowhere faster.
-struct Nearness {
-  double past;  // Rounded toward zero.
-  Vec3 normal;
-};
-Nearness nearness(const Outline& body, const Vec3& p, double range) {
-  const double along = dot(body.axis, p);
-  const double past_end = std::max(0.0, std::abs(along) - body.half_length);
-  const Vec3 radial = p - along * body.axis;
-  const double side = norm(radial);
-  const bool flat = body.ends == Outline::Ends::flat;
-  const double past_side = flat ? std::max(0.0, side - body.radius) : side;
-  const double distance = std::sqrt(past_end * past_end + past_side * past_side);
-  const double past = distance - range - (flat ? 0.0 : body.radius);
-  const double slack = 1e-10 * (norm(p) + range);
-  Nearness near{past > 0.0 ? std::max(0.0, past - slack) : std::min(0.0, past + slack), {0, 0, 0}};
-  if (distance > 0.0) {
-    near.normal = (std::copysign(past_end, along) / distance) * body.axis;
-    if (past_side > 0.0) near.normal = near.normal + (past_side / (distance * side)) * radial;
-  }
-  return near;
 }
 
 double box_reach(const Vec3& half, const Vec3& n) {
@@ -336,6 +294,7 @@ bool VacancyList::is_empty(const CommonCore& core, const Box& box,
   if (core.meets_own_image || walls_forbid(core, box)) return true;
   const double min_gap = placed_.min_gap();
   const double blur = norm(box.half);
+  BoxCuts cuts(box.half);
   std::size_t front = kept.size();
   for (const std::int32_t image : images) {
     const PlacedImage& at = images_[static_cast<std::size_t>(image)];
@@ -344,23 +303,15 @@ bool VacancyList::is_empty(const CommonCore& core, const Box& box,
     const double far = core.middle_outline.circum_radius + other.circum_radius + min_gap + blur;
     cost += Cost::pair;
     if (norm_sq(r) > far * far) continue;
-    if (is_ball(core.middle_outline) && is_ball(other)) {
-      if (covers_as_ball(core.middle_outline, other, box.half, r, min_gap)) return true;
-      if (!reaches_as_ball(core.middle_outline, other, box.half, r, min_gap)) continue;
-      kept.push_back(image);
-      const double touch = core.middle_outline.radius + other.radius + min_gap;
-      if (norm_sq(r) < touch * touch) std::swap(kept[front++], kept.back());
-      continue;
-    }
     if (is_ball(core.middle_outline) && other.ends != Outline::Ends::loose) {
-      const Nearness near = nearness(other, -1.0 * r, core.middle_outline.radius + min_gap);
-      cost += Cost::glance;
-      if (near.past > box_reach(box.half, near.normal)) continue;
-      if (near.past < -blur) return true;
+      const bool flat = other.ends == Outline::Ends::flat;
+      const double range = core.middle_outline.radius + min_gap + (flat ? 0.0 : other.radius);
+      const BoxCuts::Meeting meeting = cuts.look_at(other, -r, range);
+      if (other.half_length > 0.0) cost += Cost::glance;
+      if (meeting == BoxCuts::Meeting::covers) return true;
+      if (meeting == BoxCuts::Meeting::nowhere) continue;
       kept.push_back(image);
-      if (near.past >= 0.0) continue;
-      if (covers(image, core, box, cost)) return true;
-      std::swap(kept[front++], kept.back());
+      if (meeting == BoxCuts::Meeting::middle) std::swap(kept[front++], kept.back());
       continue;
     }
     const Verdict seen = quick_verdict(core.middle_outline, other, r, min_gap);
@@ -379,7 +330,8 @@ bool VacancyList::is_empty(const CommonCore& core, const Box& box,
     // What overlaps the middle goes first: it is the likeliest to cover a child or stop a trial.
     if (seen == Verdict::overlapping) std::swap(kept[front++], kept.back());
   }
-  return false;
+  if (!cuts.leave_middle()) cost += 4 * Cost::glance;
+  return cuts.leave_nothing();
 }
 
 bool VacancyList::walls_forbid(const CommonCore& core, const Box& box) const {

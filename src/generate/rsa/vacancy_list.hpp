@@ -27,7 +27,8 @@ namespace packstone::rsa {
 /// as B and K are; with a least gap it is dilated by a ball and stays convex. So a box of centers
 /// whose corners are proven to overlap B lies in that sum with all its points. For a cell of
 /// orientations, K is replaced by bodies that every member contains: the set of centers from which
-/// all members overlap B is an intersection of such convex sets, hence convex.
+/// all members overlap B is an intersection of such convex sets, hence convex. Where K is a ball,
+/// images that cover a box only together are seen as well: BoxCuts.
 class VacancyList {
  public:
   /// @param mask  Voxels left for the core of the candidate, to start from; else null.
