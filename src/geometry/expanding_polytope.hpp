@@ -63,8 +63,7 @@ class ExpandingPolytope {
   /// The living face with the least inner bound; -1 when none is left.
   int nearest_face() {
     while (heap_size_ > 0) {
-      const Entry top = heap_[0];
-      if (faces_[top.face].alive && faces_[top.face].born == top.born) return top.face;
+      if (!is_stale(heap_[0])) return heap_[0].face;
       std::pop_heap(heap_.begin(), heap_.begin() + heap_size_, Farther{});
       --heap_size_;
     }
@@ -77,7 +76,7 @@ class ExpandingPolytope {
 
   /// Adds the corner `tip`, which lies beyond `face`. False when storage or rounding forbids it.
   bool expand(int face, const SumPoint& tip) {
-    if (corner_count_ == kCorners || heap_size_ + 64 > kHeap) return false;
+    if (corner_count_ == kCorners) return false;
     const int w = add_corner(tip);
     horizon_size_ = 0;
     depth_ = 0;
@@ -87,6 +86,7 @@ class ExpandingPolytope {
     bool whole = true;
     for (int e = 0; e < 3; ++e) whole = walk(faces_[face].across[e], face, tip.sum) && whole;
     if (!whole || !horizon_closed()) return false;
+    if (heap_size_ + horizon_size_ > kHeap) drop_stale_entries();
     return cover(w);
   }
 
@@ -148,6 +148,19 @@ class ExpandingPolytope {
   };
 
   int corner(int face, int e) const { return faces_[face].corner[e % 3]; }
+
+  bool is_stale(const Entry& entry) const {
+    return !faces_[entry.face].alive || faces_[entry.face].born != entry.born;
+  }
+
+  // Living faces are far fewer than the heap holds, so that afterwards there is room.
+  void drop_stale_entries() {
+    static_assert(kFaces + kHorizon <= kHeap);
+    const auto end = std::remove_if(heap_.begin(), heap_.begin() + heap_size_,
+                                    [&](const Entry& entry) { return is_stale(entry); });
+    heap_size_ = static_cast<int>(end - heap_.begin());
+    std::make_heap(heap_.begin(), end, Farther{});
+  }
 
   int add_corner(const SumPoint& p) {
     corners_[corner_count_] = p;

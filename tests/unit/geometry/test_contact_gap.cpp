@@ -55,6 +55,20 @@ TEST_CASE("the error of gap is below 1e-12 of the larger body") {
   });
 }
 
+TEST_CASE("the depth of nearly parallel cylinders side by side keeps within its storage") {
+  // Many thin faces, few of which live: the polytope once outgrew its list of them here.
+  const Body a = Cylinder{0x1.ecd883a1d6b6dp-2,
+                          0x1.14490c01ff2abp+2,
+                          {0x1.8c57bc1cfb3f8p-1, -0x1.cbafca0d8d5c2p-2, 0x1.c912323664768p-2}};
+  const Body b = Cylinder{0x1.12f1b5fef41c5p-2,
+                          0x1.a8e39028f7567p+4,
+                          {0x1.8c57bc1cfa1e4p-1, -0x1.cbafca0d8fa63p-2, 0x1.c91232366614cp-2}};
+  const Vec3 r{-0x1.d393762ef4c05p-1, -0x1.37b50c82fb815p-2, -0x1.6f82de9e90f3p-4};
+  const Gap found = gap(a, b, r);
+  CHECK(found.error < 1e-12 * circum_radius(b));
+  CHECK(std::abs(found.value) < 1e-11);
+}
+
 TEST_CASE("gap has the sign that decide proves") {
   zoo::for_each_pair(14, 60, [](const Pair& p, PairClass, int) {
     const Verdict verdict = overlap(p.a, p.b, p.r);
