@@ -156,9 +156,11 @@ class HierarchicalGrid {
     return static_cast<float>(x + std::abs(x) * 0x1p-23) + std::numeric_limits<float>::min();
   }
   static Floats all_lanes(double x) { return Floats{} + static_cast<float>(x); }
+  // Beyond a billion, where no grid ends, the billion.
   static int floor_to_int(double x) {
-    const int i = static_cast<int>(x);
-    return i - static_cast<int>(x < i);
+    const double near = std::min(std::max(-1e9, x), 1e9);
+    const int i = static_cast<int>(near);
+    return i - static_cast<int>(near < i);
   }
   static int floor_div(int a, int n) { return a >= 0 ? a / n : -((n - 1 - a) / n); }
 
