@@ -18,6 +18,7 @@
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "packstone/structure/images.hpp"
 #include "packstone/structure/standing.hpp"
 
 namespace packstone {
@@ -28,10 +29,9 @@ using rsa::PlacedBodies;
 using rsa::Search;
 using rsa::Turning;
 
-void check_options(const RsaOptions& options) {
-  if (!(options.min_gap >= 0.0) || !std::isfinite(options.min_gap)) {
-    throw InvalidArgument(
-        fmt::format("RsaOptions::min_gap is {}; it must be a finite number >= 0", options.min_gap));
+void check_options(const Cell& cell, const RsaOptions& options) {
+  if (const auto reason = why_no_least_gap(cell, options.min_gap)) {
+    throw InvalidArgument(fmt::format("RsaOptions::min_gap is {}; {}", options.min_gap, *reason));
   }
   if (options.max_trials < 1) {
     throw InvalidArgument(
@@ -235,7 +235,7 @@ std::string_view name(RsaStop stop) noexcept {
 RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
                    const RsaOptions& options, RunContext run) {
   check_cell(cell);
-  check_options(options);
+  check_options(cell, options);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     check_ordered(cell, bodies[k], static_cast<std::int64_t>(k));
     check_alone(cell, bodies[k], static_cast<std::int64_t>(k), options);
@@ -290,7 +290,7 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
 RsaResult rsa_fill(const Cell& cell, const BodySource& source, const RsaOptions& options,
                    RunContext run) {
   check_cell(cell);
-  check_options(options);
+  check_options(cell, options);
   Adsorption adsorption(cell, options, run, 0);
   adsorption.start(options.seed);
   RsaResult result;

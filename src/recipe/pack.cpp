@@ -13,6 +13,7 @@
 #include "packstone/core/version.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
+#include "packstone/structure/images.hpp"
 #include "recipe/draw_mix.hpp"
 
 namespace packstone {
@@ -173,8 +174,8 @@ RunContext within_time(const Recipe& recipe, RunContext run) {
 void check_recipe(const Recipe& recipe) {
   check_cell(recipe.cell);
   if (recipe.groups.empty()) throw InvalidArgument("groups: none given; allowed is 1 or more");
-  if (!(recipe.min_gap >= 0.0) || !std::isfinite(recipe.min_gap)) {
-    throw InvalidArgument("min_gap = " + std::to_string(recipe.min_gap) + "; allowed is >= 0");
+  if (const auto reason = why_no_least_gap(recipe.cell, recipe.min_gap)) {
+    throw InvalidArgument("packing.min_gap = " + number_text(recipe.min_gap) + "; " + *reason);
   }
   if (recipe.time_limit && !(*recipe.time_limit > 0.0)) {
     throw InvalidArgument("time_limit = " + std::to_string(*recipe.time_limit) +
@@ -205,7 +206,7 @@ std::vector<std::string> limits_of_redrawing(const Recipe& recipe, const Inclusi
 }  // namespace
 
 PackOutcome pack(const Recipe& recipe, RunContext run) {
-  check_recipe(recipe);
+  recipe::for_recipe(recipe, [&] { check_recipe(recipe); });
   run = within_time(recipe, run);
   const std::clock_t start = std::clock();
   const InclusionMix mix = recipe::draw_mix(recipe);

@@ -9,6 +9,7 @@
 
 #include "packstone/core/compensated_sum.hpp"
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/tolerances.hpp"
 #include "packstone/geometry/bounds.hpp"
@@ -91,10 +92,10 @@ void check_images(const Packing& packing, const std::vector<Vec3>& extents) {
   }
 }
 
-void check_options(const CheckOptions& options) {
-  if (options.min_gap >= 0.0 && std::isfinite(options.min_gap)) return;
-  throw InvalidArgument("min_gap = " + std::to_string(options.min_gap) +
-                        ", allowed are finite numbers >= 0");
+void check_options(const Cell& cell, const CheckOptions& options) {
+  if (const auto reason = why_no_least_gap(cell, options.min_gap)) {
+    throw InvalidArgument("min_gap = " + number_text(options.min_gap) + "; " + *reason);
+  }
 }
 
 // Of i and its own images, and of two inclusions, one of each mirrored pair.
@@ -302,7 +303,7 @@ void check_pairs(const PairSearch& search, RunContext& run, Certificate& certifi
 
 Certificate check_packing(const Packing& packing, const CheckOptions& options, RunContext run) {
   check_well_formed(packing);
-  check_options(options);
+  check_options(packing.cell, options);
   Certificate certificate;
   certificate.min_gap = options.min_gap;
   take_census(packing, certificate);
@@ -320,7 +321,7 @@ std::vector<WallCrossing> wall_crossings(const Packing& packing) {
 std::vector<PairWitness> separating_directions(const Packing& packing, const CheckOptions& options,
                                                RunContext run) {
   check_well_formed(packing);
-  check_options(options);
+  check_options(packing.cell, options);
   const PairSearch search(packing, options.min_gap);
   std::vector<std::vector<PairWitness>> blocks(block_count(search.count()));
   for_each_block(search.count(), run, [&](std::int64_t k, std::int64_t begin, std::int64_t end) {

@@ -1,6 +1,8 @@
 #include "packstone/structure/images.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
@@ -24,6 +26,17 @@ std::vector<std::array<int, 3>> images_in_cell(const Cell& cell, const Inclusion
     }
   }
   return images;
+}
+
+std::optional<std::string> why_no_least_gap(const Cell& cell, double min_gap) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    if (cell.periodic[axis]) shortest = std::min(shortest, cell.size[axis]);
+  }
+  if (min_gap >= 0.0 && min_gap < shortest) return std::nullopt;
+  if (!std::isfinite(shortest)) return "allowed are finite numbers >= 0";
+  return "allowed are numbers >= 0 and below " + number_text(shortest) +
+         ", the shortest period of the cell";
 }
 
 std::optional<std::string> why_too_many_own_images(const Cell& cell, const Vec3& half_extents) {

@@ -28,6 +28,10 @@ inline constexpr double kMostOwnImages = 1e6;
 [[nodiscard]] std::optional<std::string> why_too_many_own_images(const Cell& cell,
                                                                  const Vec3& half_extents);
 
+/// Why no two inclusions can be ordered to keep `min_gap` [L]: "allowed are numbers >= 0 and below
+/// 1, ..."; nothing if they can. Whatever stands has no more than one period to its own image.
+[[nodiscard]] std::optional<std::string> why_no_least_gap(const Cell& cell, double min_gap);
+
 /// Calls visit(image) for one of each pair +-image of own images, in periods along each axis, whose
 /// box of half edges `half_extents` may come within `gap` of that of the body itself, until it
 /// returns false. Returns whether all visits returned true.

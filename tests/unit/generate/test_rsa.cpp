@@ -292,7 +292,8 @@ TEST_CASE("rsa_pack refuses options out of range, naming field, value and range"
   RsaOptions options;
   options.min_gap = -0.5;
   CHECK(message_of(Cell{}, bodies, options) ==
-        "RsaOptions::min_gap is -0.5; it must be a finite number >= 0");
+        "RsaOptions::min_gap is -0.5; allowed are numbers >= 0 and below 1, the shortest "
+        "period of the cell");
   options = {};
   options.max_trials = 0;
   CHECK(message_of(Cell{}, bodies, options) == "RsaOptions::max_trials is 0; it must be >= 1");

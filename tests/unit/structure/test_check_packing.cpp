@@ -257,6 +257,8 @@ TEST_CASE("a pair that overlaps gets a direction without proof") {
 TEST_CASE("what cannot be checked is refused with a reason") {
   const Packing pair = spheres(Cell{}, {{0.3, 0.5, 0.5}}, 0.1);
   CHECK_THROWS_WITH(check_packing(pair, {.min_gap = -1.0}), Catch::Contains("min_gap = -1"));
+  CHECK_THROWS_WITH(check_packing(pair, {.min_gap = 1e300}),
+                    Catch::Contains("min_gap = 1e+300; allowed are numbers >= 0 and below"));
   CHECK_THROWS_WITH(check_packing(spheres(Cell{}, {{0.3, 0.5, 0.5}}, 1e5)),
                     Catch::Contains("inclusion 0: it is 200000 periods"));
   Packing long_needle = spheres(cell_2d(1, 1), {}, 1.0);
