@@ -34,9 +34,9 @@ struct PairWitness {
 /// What is proven, and how rounding and walls are treated: docs/certificate.md. Reports progress;
 /// does not stop half-way, since half a check proves nothing.
 ///
-/// Errors:  throws InvalidArgument if the packing is not well formed, min_gap is not a finite
-///          number >= 0, or an inclusion is longer than 500 periods or meets over a million own
-///          images.
+/// Errors:  throws InvalidArgument if the packing is not well formed, min_gap is not a number >= 0
+///          and below every period, or an inclusion is longer than 500 periods or meets over a
+///          million own images.
 /// Cost:    proportional to inclusions times near neighbors; parallel over inclusions. The result
 ///          does not depend on the number of threads.
 [[nodiscard]] Certificate check_packing(const Packing& packing, const CheckOptions& options = {},
