@@ -1,8 +1,6 @@
 #include "packstone/structure/images.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
@@ -29,10 +27,7 @@ std::vector<std::array<int, 3>> images_in_cell(const Cell& cell, const Inclusion
 }
 
 std::optional<std::string> why_no_least_gap(const Cell& cell, double min_gap) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
-    if (cell.periodic[axis]) shortest = std::min(shortest, cell.size[axis]);
-  }
+  const double shortest = shortest_period(cell);
   if (min_gap >= 0.0 && min_gap < shortest) return std::nullopt;
   if (!std::isfinite(shortest)) return "allowed are finite numbers >= 0";
   return "allowed are numbers >= 0 and below " + number_text(shortest) +

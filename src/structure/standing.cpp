@@ -25,12 +25,9 @@ constexpr double kRounding = 1.0 + 1e-12;  // of sizes that were scaled to a vol
 
 // Fully periodic, and far too small to meet an own image: the common case, settled at once.
 bool is_plainly_small(const Cell& cell, const Body& body, double min_gap) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
-    if (!cell.periodic[a]) return false;
-    shortest = std::min(shortest, cell.size[a]);
-  }
-  return 2.0 * circum_radius(body) + min_gap < 0.999 * shortest;
+  const auto end = cell.periodic.begin() + cell.dimension;
+  const bool has_walls = std::find(cell.periodic.begin(), end, false) != end;
+  return !has_walls && 2.0 * circum_radius(body) + min_gap < 0.999 * shortest_period(cell);
 }
 
 std::optional<std::string> why_walls_refuse(const Cell& cell, const Vec3& half_extents) {

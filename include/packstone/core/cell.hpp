@@ -3,8 +3,10 @@
 /// @file
 /// The cell: a rectangle or a box, periodic along any of its axes, with a wall where it is not.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "packstone/core/vec.hpp"
 
@@ -30,6 +32,15 @@ constexpr Cell cell_2d(double x, double y, bool periodic_x = true, bool periodic
 /// Volume of the cell [L^3], area in 2D [L^2].
 constexpr double volume(const Cell& cell) {
   return cell.dimension == 2 ? cell.size.x * cell.size.y : cell.size.x * cell.size.y * cell.size.z;
+}
+
+/// The shortest period [L]; infinite where no axis is periodic.
+inline double shortest_period(const Cell& cell) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell.dimension); ++axis) {
+    if (cell.periodic[axis]) shortest = std::min(shortest, cell.size[axis]);
+  }
+  return shortest;
 }
 
 /// `x` brought into [0, length) by whole periods; exact for x already inside.

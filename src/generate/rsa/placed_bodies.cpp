@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "packstone/core/memory_hints.hpp"
 #include "packstone/core/tolerances.hpp"
@@ -108,7 +107,7 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
       min_gap_(min_gap),
       use_grid_(expected > kMostSearchedOneByOne),
       needs_extents_(use_grid_),
-      shortest_period_(std::numeric_limits<double>::infinity()),
+      shortest_period_(shortest_period(cell)),
       period_{0.0, 0.0, 0.0},
       per_period_{0.0, 0.0, 0.0},
       lanes_(cell_),
@@ -118,7 +117,6 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
     if (!cell.periodic[axis]) continue;
     period_[axis] = cell.size[axis];
     per_period_[axis] = 1.0 / cell.size[axis];
-    shortest_period_ = std::min(shortest_period_, cell.size[axis]);
   }
   const auto count = static_cast<std::size_t>(expected);
   bodies_.reserve(count);

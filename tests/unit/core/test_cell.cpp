@@ -13,6 +13,12 @@ TEST_CASE("the volume of a 2D cell is its area") {
   CHECK(volume(cell_2d(2, 3)) == 6.0);
 }
 
+TEST_CASE("the shortest period is that of a periodic axis, infinite between walls") {
+  CHECK(shortest_period(Cell{3, {2, 3, 4}, {false, true, true}}) == 3.0);
+  CHECK(shortest_period(Cell{2, {5, 3, 0}, {true, true, false}}) == 3.0);
+  CHECK(std::isinf(shortest_period(Cell{3, {2, 3, 4}, {false, false, false}})));
+}
+
 TEST_CASE("a coordinate is wrapped into [0, length) and left alone inside") {
   for (double x : {0.0, 0.3, std::nextafter(1.0, 0.0)}) CHECK(wrapped(x, 1.0) == x);
   CHECK(wrapped(1.0, 1.0) == 0.0);
