@@ -93,17 +93,9 @@ void VacancyList::start_with(const VoxelMask& mask) {
     if (new_layer) pick_near(all, 2, box, layer, out.cost);
     if (new_layer || cell.index[1] != last[1]) pick_near(layer, 1, box, row, out.cost);
     last = cell.index;
-    const std::size_t kept = out.neighbors.size();
-    if (is_empty(cores_[0], box, row, out.neighbors, out.cost)) {
-      out.neighbors.resize(kept);
-      continue;
-    }
-    out.cells.push_back(cell);
-    out.neighbor_ends.push_back(static_cast<std::int64_t>(out.neighbors.size()));
+    keep_unless_empty(cell, cores_[0], box, row, {}, out);
   }
-  cells_ = std::move(out.cells);
-  neighbors_ = std::move(out.neighbors);
-  neighbor_ends_ = std::move(out.neighbor_ends);
+  take(std::move(out));
   last_split_cost_ =
       static_cast<std::int64_t>(neighbors_.size()) * Cost::glance + size() * Cost::trial;
   last_split_children_ = std::max<std::int64_t>(1, size());
@@ -274,18 +266,32 @@ void VacancyList::split_cell(std::int64_t parent, const Division& finer,
           const PoseCell child{{from.index[0] * pieces[0] + x, from.index[1] * pieces[1] + y,
                                 from.index[2] * pieces[2] + z},
                                first_turn + turn};
-          const std::size_t kept = out.neighbors.size();
           out.cost += Cost::trial;
-          if (is_empty(core, box_of(finer, child), images, out.neighbors, out.cost)) {
-            out.neighbors.resize(kept);
-            continue;
-          }
-          out.cells.push_back(child);
-          out.neighbor_ends.push_back(static_cast<std::int64_t>(out.neighbors.size()));
+          keep_unless_empty(child, core, box_of(finer, child), images, {}, out);
         }
       }
     }
   }
+}
+
+// Adds the cell, with those of `images` that can touch a member and all of `known`, to `out`.
+void VacancyList::keep_unless_empty(const PoseCell& cell, const CommonCore& core, const Box& box,
+                                    std::span<const std::int32_t> images,
+                                    std::span<const std::int32_t> known, Cells& out) const {
+  const std::size_t kept = out.neighbors.size();
+  if (is_empty(core, box, images, out.neighbors, out.cost)) {
+    out.neighbors.resize(kept);
+    return;
+  }
+  out.neighbors.insert(out.neighbors.end(), known.begin(), known.end());
+  out.cells.push_back(cell);
+  out.neighbor_ends.push_back(static_cast<std::int64_t>(out.neighbors.size()));
+}
+
+void VacancyList::take(Cells&& cells) {
+  cells_ = std::move(cells.cells);
+  neighbors_ = std::move(cells.neighbors);
+  neighbor_ends_ = std::move(cells.neighbor_ends);
 }
 
 bool VacancyList::is_empty(const CommonCore& core, const Box& box,
@@ -439,21 +445,12 @@ std::int64_t VacancyList::add_last_placed() {
   CommonCore storage;
   for (std::int64_t k = 0; k < size(); ++k) {
     const PoseCell& cell = cells_[static_cast<std::size_t>(k)];
-    const std::size_t kept = out.neighbors.size();
     const CommonCore& core = core_of(division_, cores_, cell.orientation, storage);
-    if (is_empty(core, box_of(division_, cell), fresh, out.neighbors, out.cost)) {
-      out.neighbors.resize(kept);
-      continue;
-    }
-    const auto old = neighbors_of(k);
-    out.neighbors.insert(out.neighbors.end(), old.begin(), old.end());
-    out.cells.push_back(cell);
-    out.neighbor_ends.push_back(static_cast<std::int64_t>(out.neighbors.size()));
+    keep_unless_empty(cell, core, box_of(division_, cell), fresh, neighbors_of(k), out);
   }
-  cells_ = std::move(out.cells);
-  neighbors_ = std::move(out.neighbors);
-  neighbor_ends_ = std::move(out.neighbor_ends);
-  return out.cost;
+  const std::int64_t cost = out.cost;
+  take(std::move(out));
+  return cost;
 }
 
 // Four words do for all that a pose needs, but for Turning::full: the first says which cell; of

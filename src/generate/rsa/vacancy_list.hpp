@@ -115,6 +115,10 @@ class VacancyList {
   [[nodiscard]] bool splits_orientation() const;
   void split_cell(std::int64_t parent, const Division& finer, const std::vector<CommonCore>& cores,
                   Cells& out) const;
+  void keep_unless_empty(const PoseCell& cell, const CommonCore& core, const Box& box,
+                         std::span<const std::int32_t> images, std::span<const std::int32_t> known,
+                         Cells& out) const;
+  void take(Cells&& cells);
   bool is_empty(const CommonCore& core, const Box& box, std::span<const std::int32_t> images,
                 std::vector<std::int32_t>& kept, std::int64_t& cost) const;
   [[nodiscard]] bool walls_forbid(const CommonCore& core, const Box& box) const;
