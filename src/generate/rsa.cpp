@@ -17,6 +17,7 @@
 #include "generate/rsa/standing.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
+#include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/images.hpp"
 #include "packstone/structure/standing.hpp"
@@ -161,19 +162,13 @@ bool is_interruption(RsaStop stop) {
   return stop == RsaStop::cancelled || stop == RsaStop::out_of_time;
 }
 
-double radius_of_ball(const Body& body) {
-  if (const auto* sphere = std::get_if<Sphere>(&body)) return sphere->radius;
-  if (const auto* disk = std::get_if<Disk>(&body)) return disk->radius;
-  return 0.0;
-}
-
 // Many equal spheres or disks, not so few to the cell that a grid of their size would be a waste:
 // these have a faster way of their own.
 bool are_many_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bodies) {
   constexpr double sparsest = 0.02;  // Volume fraction.
   if (bodies.size() <= rsa::kMostSearchedOneByOne) return false;
   const Body& first = bodies.front().body;
-  if (radius_of_ball(first) == 0.0) return false;
+  if (!is_round(kind(first))) return false;
   if (static_cast<double>(bodies.size()) * volume(first) < sparsest * volume(cell)) return false;
   return std::all_of(bodies.begin(), bodies.end(),
                      [&](const OrderedBody& ordered) { return ordered.body == first; });
@@ -195,7 +190,7 @@ RsaResult pack_equal_balls(const Cell& cell, const std::vector<OrderedBody>& bod
                            const RunContext& run) {
   const Body& ball = bodies.front().body;
   rsa::EqualBallsOrder order{.cell = cell,
-                             .radius = radius_of_ball(ball),
+                             .radius = circum_radius(ball),
                              .min_gap = options.min_gap,
                              .target = static_cast<std::int64_t>(bodies.size()),
                              .seed = options.seed};

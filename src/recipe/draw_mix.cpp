@@ -1,32 +1,13 @@
 #include "recipe/draw_mix.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "packstone/core/memory.hpp"
 #include "packstone/core/number_text.hpp"
-#include "packstone/core/overloaded.hpp"
+#include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/standing.hpp"
 
 namespace packstone::recipe {
 namespace {
-
-// The common radius when all bodies are equal spheres or disks, else 0.
-double common_radius(const std::vector<OrderedBody>& bodies) {
-  double least = HUGE_VAL;
-  double greatest = 0.0;
-  for (const OrderedBody& ordered : bodies) {
-    if (!is_round(kind(ordered.body))) return 0.0;
-    const double r = std::visit(
-        Overloaded{[](const Sphere& b) { return b.radius; }, [](const Disk& b) { return b.radius; },
-                   [](const auto&) { return 0.0; }},
-        ordered.body);
-    least = std::min(least, r);
-    greatest = std::max(greatest, r);
-  }
-  return greatest - least <= 1e-12 * greatest ? least : 0.0;
-}
 
 // The words for the first of `keys` that was read, or for the recipe as a whole.
 std::string place_of(const Recipe& recipe, const std::vector<std::string>& keys) {
@@ -117,7 +98,7 @@ double saturating_radius(const Recipe& recipe) {
   const InclusionGroup& group = recipe.groups.front();
   const bool open = !group.count && !group.fraction;
   if (!open || !is_round(group.shape) || !is_constant(group.size)) return 0.0;
-  return common_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed));
+  return circum_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed).front().body);
 }
 
 InclusionMix draw_mix(const Recipe& recipe) {
