@@ -1,5 +1,7 @@
 // packstone: random microstructures from the command line. Parses, calls, prints.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -48,8 +50,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, int
                           char** argv) {
   if (app.get_subcommands().empty()) {
     const std::vector<std::string> names = command_names(app);
-    std::string listed;
-    for (const std::string& name : names) listed += (listed.empty() ? "" : ", ") + name;
+    const std::string listed = fmt::format("{}", fmt::join(names, ", "));
     if (argc < 2) return "a command is missing; commands: " + listed;
     return std::string(argv[1]) + " is no command" + near_word(argv[1], names) +
            "\n  commands: " + listed;

@@ -1,5 +1,7 @@
 #include "output_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "packstone/core/error.hpp"
@@ -20,11 +22,10 @@ void check_output_path(const std::filesystem::path& path) {
 void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings) {
   const std::string ending = path.extension().string();
   if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
-    std::string listed;
-    for (const std::string& known : endings) listed += (listed.empty() ? "" : ", ") + known;
-    throw InvalidArgument("-o " + path.string() + ": " +
-                          (ending.empty() ? "no ending" : "unknown ending " + ending) +
-                          "; allowed is " + (endings.size() > 1 ? "one of " : "") + listed);
+    throw InvalidArgument(fmt::format("-o {}: {}; allowed is {}{}", path.string(),
+                                      ending.empty() ? "no ending" : "unknown ending " + ending,
+                                      endings.size() > 1 ? "one of " : "",
+                                      fmt::join(endings, ", ")));
   }
   check_output_path(path);
 }
