@@ -8,6 +8,7 @@
 #include "io/draw/picture_3d.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/number_text.hpp"
+#include "packstone/structure/images.hpp"
 
 namespace packstone {
 namespace {
@@ -39,6 +40,7 @@ void draw_packing(const std::filesystem::path& path, const Packing& packing,
                   const DrawOptions& options, RunContext run) {
   check_options(path, packing, options);
   check_well_formed(packing);
+  if (options.cut) check_images(packing);
   if (packing.cell.dimension == 2) {
     draw::picture_2d(path, packing, options);
     return;

@@ -84,14 +84,6 @@ std::vector<WallCrossing> crossings(const Packing& packing) {
   return found;
 }
 
-void check_images(const Packing& packing, const std::vector<Vec3>& extents) {
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    if (const auto reason = why_too_many_own_images(packing.cell, extents[i])) {
-      throw InvalidArgument("inclusion " + std::to_string(i) + ": " + *reason);
-    }
-  }
-}
-
 void check_options(const Cell& cell, const CheckOptions& options) {
   if (const auto reason = why_no_least_gap(cell, options.min_gap)) {
     throw InvalidArgument("min_gap = " + number_text(options.min_gap) + "; " + *reason);
@@ -139,7 +131,7 @@ class PairSearch {
     for (const Inclusion& inclusion : packing.inclusions) {
       extents_.push_back(half_extents(inclusion.body));
     }
-    check_images(packing, extents_);
+    check_images(packing);
     grid_.reserve(count());
     for (std::int64_t i = 0; i < count(); ++i) {
       grid_.insert(static_cast<std::int32_t>(i), packing.inclusions[i].center, extents_[i]);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "packstone/core/error.hpp"
 #include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
 
@@ -47,6 +48,15 @@ std::optional<std::string> why_too_many_own_images(const Cell& cell, const Vec3&
            number_text(kMostOwnImages, 7) + " images";
   }
   return std::nullopt;
+}
+
+void check_images(const Packing& packing) {
+  for (std::size_t i = 0; i < packing.inclusions.size(); ++i) {
+    const Vec3 half = half_extents(packing.inclusions[i].body);
+    if (const auto reason = why_too_many_own_images(packing.cell, half)) {
+      throw InvalidArgument("inclusion " + std::to_string(i) + ": " + *reason);
+    }
+  }
 }
 
 }  // namespace packstone

@@ -15,7 +15,7 @@
 namespace packstone {
 
 /// The images, in periods along each axis, whose bounding box meets the cell, in lexicographic
-/// order; {0, 0, 0} is always among them. Bodies longer than the cell have many.
+/// order; {0, 0, 0} is always among them. Bodies longer than the cell have many: see check_images.
 [[nodiscard]] std::vector<std::array<int, 3>> images_in_cell(const Cell& cell,
                                                              const Inclusion& inclusion);
 
@@ -27,6 +27,10 @@ inline constexpr double kMostOwnImages = 1e6;
 /// Why a body of these half extents [L] is refused, a sentence about "it"; nothing if it is not.
 [[nodiscard]] std::optional<std::string> why_too_many_own_images(const Cell& cell,
                                                                  const Vec3& half_extents);
+
+/// Refuses what would be endless work to list: throws InvalidArgument, "inclusion 7: it is ...",
+/// when a body of the packing has too many own images.
+void check_images(const Packing& packing);
 
 /// Why no two inclusions can be ordered to keep `min_gap` [L]: "allowed are numbers >= 0 and below
 /// 1, ..."; nothing if they can. Whatever stands has no more than one period to its own image.

@@ -21,7 +21,7 @@ struct Placement {
 /// All inclusions in order, each followed by its images whose bounding box reaches into the cell
 /// when `images` is set.
 ///
-/// Errors: throws InvalidArgument when a body reaches over more than 100 periods.
+/// Errors: throws InvalidArgument when a body has too many images.
 [[nodiscard]] std::vector<Placement> placements(const Packing& packing, bool images);
 
 }  // namespace packstone

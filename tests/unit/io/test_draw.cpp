@@ -172,6 +172,10 @@ TEST_CASE("drawing refuses bad options, naming option, value and range") {
   CHECK_THROWS_WITH(draw("a.png", one_ball(0.1), {.elevation = 95.0}), Contains("elevation"));
   CHECK_THROWS_WITH(draw("a.gif", one_ball(0.1), {}), Contains(".gif") && Contains(".png"));
   CHECK_THROWS_WITH(draw("a.svg", one_ball(0.1), {}), Contains("3D") && Contains(".png"));
+  Packing endless = one_ball(0.1);
+  endless.inclusions[0].body = Spherocylinder{0.1, 1e9, {0, 0, 1}};
+  CHECK_THROWS_WITH(draw("a.png", endless, {.cut = true}),
+                    Contains("inclusion 0") && Contains("periods"));
   CHECK_THROWS_AS(draw("no/such/folder/a.png", one_ball(0.1), kSmall), FileError);
 }
 

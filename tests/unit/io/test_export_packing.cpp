@@ -125,8 +125,8 @@ TEST_CASE("a fiber longer than the cell is exported with all images that reach i
   // Shifts -2 to 2 along z: the box of shift 3 begins at 0.5 + 3 - 2.2 > 1.
   CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 5);
   packing.inclusions[0].body = Cylinder{0.1, 1e9, {0, 0, 1}};
-  CHECK_THROWS_AS(export_packing(folder / "packing.csv", packing, {.images = true}),
-                  InvalidArgument);
+  CHECK_THROWS_WITH(export_packing(folder / "packing.csv", packing, {.images = true}),
+                    Catch::Contains("inclusion 0") && Catch::Contains("periods"));
 }
 
 TEST_CASE("VTK reads a 3D export: closed surfaces with the values of each inclusion") {
