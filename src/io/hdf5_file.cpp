@@ -46,13 +46,6 @@ Hdf5Handle text_type(std::size_t bytes, H5T_cset_t characters) {
   return type;
 }
 
-// Without time stamps the same packing makes the same file.
-Hdf5Handle timeless(hid_t property_class) {
-  Hdf5Handle properties(H5Pcreate(property_class), H5Pclose, "new properties");
-  check_hdf5(H5Pset_obj_track_times(properties, false), "time stamps");
-  return properties;
-}
-
 Hdf5Handle open_or_create(hid_t parent, const std::string& name) {
   if (name.empty()) return {H5Gopen2(parent, "/", H5P_DEFAULT), H5Gclose, "/"};
   const Hdf5Handle properties = timeless(H5P_GROUP_CREATE);
@@ -85,6 +78,12 @@ std::vector<std::string> member_names(hid_t group, const std::string& path) {
 }
 
 }  // namespace
+
+Hdf5Handle timeless(hid_t property_class) {
+  Hdf5Handle properties(H5Pcreate(property_class), H5Pclose, "new properties");
+  check_hdf5(H5Pset_obj_track_times(properties, false), "time stamps");
+  return properties;
+}
 
 Hdf5Session::Hdf5Session() {
   while (library_in_use.test_and_set()) library_in_use.wait(true);

@@ -49,6 +49,10 @@ class Hdf5Handle {
   Close close_;
 };
 
+/// Properties to create a file, group or dataset by, without time stamps: the same packing makes
+/// the same file.
+[[nodiscard]] Hdf5Handle timeless(hid_t property_class);
+
 /// Throws InvalidArgument "`what`: reason of the library" when `status` is negative.
 void check_hdf5(herr_t status, const std::string& what);
 
