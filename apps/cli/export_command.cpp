@@ -31,7 +31,8 @@ void add_export(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(8, 4096).description(""));
   command->add_flag("--images", arguments->options.images,
-                    "Also the periodic images that reach into the cell");
+                    "Also the periodic images that reach into the cell;\n"
+                    "tables then name the faces that each cuts");
   command->footer("Example: packstone export fibers.json -o fibers.vtu");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".vtu", ".stl", ".csv"});

@@ -15,8 +15,9 @@ std::vector<std::array<int, 3>> images_in_cell(const Cell& cell, const Inclusion
     if (!cell.periodic[axis]) continue;
     const double length = cell.size[axis];
     const double x = inclusion.center[axis];
-    low[axis] = static_cast<int>(std::ceil((-half[axis] - x) / length));
-    high[axis] = static_cast<int>(std::floor((length + half[axis] - x) / length));
+    const double reach = half[axis] + 1e-12 * (half[axis] + length);
+    low[axis] = static_cast<int>(std::ceil((-reach - x) / length));
+    high[axis] = static_cast<int>(std::floor((length + reach - x) / length));
   }
   std::vector<std::array<int, 3>> images;
   for (int i = low[0]; i <= high[0]; ++i) {

@@ -448,6 +448,11 @@ class Pictures(Case):
         for name in ["f.vtu", "f.csv", "f.stl"]:
             self.run_program("export", "fibers.json", "-o", name, "--segments", "12", "--images")
             self.assertGreater((self.folder / name).stat().st_size, 1000)
+        lines = (self.folder / "f.csv").read_text().splitlines()
+        self.assertTrue(lines[0].endswith(",image_x,image_y,image_z,cuts"))
+        for line in lines[1:]:
+            x, y, z, cuts = line.split(",")[-4:]
+            self.assertTrue(cuts or (x, y, z) == ("0", "0", "0"), line)
         self.run_program("draw", "fibers.json", "-o", "f.png", "--color-by", "taste", code=2)
 
     def test_a_packing_in_the_plane_is_drawn_as_svg(self):

@@ -15,7 +15,8 @@ struct ExportOptions {
   /// Segments around a full circle of a curved surface [-]. 8 to 4096.
   int segments = 32;
 
-  /// Also write the periodic images whose bounding box reaches into the cell.
+  /// Also write the periodic images that reach into the cell: images_reaching_in(),
+  /// face_crossings.hpp. A table then says which faces of the cell each body cuts.
   bool images = false;
 };
 

@@ -14,8 +14,10 @@
 
 namespace packstone {
 
-/// The images, in periods along each axis, whose bounding box meets the cell, in lexicographic
-/// order; {0, 0, 0} is always among them. Bodies longer than the cell have many: see check_images.
+/// The images, in periods along each axis, whose bounding box meets the cell (or comes within
+/// 1e-12 of its own size of that), in lexicographic order; {0, 0, 0} is always among them. Bodies
+/// longer than the cell have many: see check_images(). Those whose body itself meets the cell are
+/// images_reaching_in(), face_crossings.hpp.
 [[nodiscard]] std::vector<std::array<int, 3>> images_in_cell(const Cell& cell,
                                                              const Inclusion& inclusion);
 

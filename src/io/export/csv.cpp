@@ -1,4 +1,5 @@
 #include <charconv>
+#include <utility>
 
 #include "io/export/formats.hpp"
 #include "io/export/placements.hpp"
@@ -54,8 +55,31 @@ std::string csv_text(const std::string& text) {
 std::string heading(const std::vector<Column>& table, int dimension, bool images) {
   std::string line = dimension == 2 ? "inclusion,group,shape,area" : "inclusion,group,shape,volume";
   for (const Column& column : table) line += std::string(",") + column.title;
-  if (images) line += dimension == 2 ? ",image_x,image_y" : ",image_x,image_y,image_z";
+  if (images) line += dimension == 2 ? ",image_x,image_y,cuts" : ",image_x,image_y,image_z,cuts";
   return line + "\n";
+}
+
+// "x- y+": through the faces at x = 0 and at y = size.
+std::string faces_text(const CellFaces& faces) {
+  std::string text;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const auto& [cut, side] :
+         {std::pair(faces.low[axis], '-'), std::pair(faces.high[axis], '+')}) {
+      if (!cut) continue;
+      if (!text.empty()) text += ' ';
+      text += {"xyz"[axis], side};
+    }
+  }
+  return text;
+}
+
+// The shift in periods along each axis and the faces that are cut, each after a comma.
+std::string image_columns(const Placement& placement, int dimension) {
+  std::string text;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+    text += "," + std::to_string(placement.image[axis]);
+  }
+  return text + "," + faces_text(placement.cuts);
 }
 
 }  // namespace
@@ -79,11 +103,7 @@ void write_csv(ByteWriter& out, const Packing& packing, const ExportOptions& opt
       line += ",";
       if (arity(column.field, shape) > 0) line += shortest(record[column.field][column.entry]);
     }
-    for (std::size_t axis = 0; options.images && axis < static_cast<std::size_t>(dimension);
-         ++axis) {
-      line += ",";
-      line += std::to_string(placement.image[axis]);
-    }
+    if (options.images) line += image_columns(placement, dimension);
     out.text(line + "\n");
   }
 }

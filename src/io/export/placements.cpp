@@ -1,15 +1,21 @@
 #include "io/export/placements.hpp"
 
+#include <algorithm>
+
 #include "packstone/structure/images.hpp"
 
 namespace packstone {
 namespace {
 
-void add_images(std::vector<Placement>& all, const Cell& cell, std::size_t index,
-                const Inclusion& inclusion) {
-  for (const std::array<int, 3>& image : images_in_cell(cell, inclusion)) {
-    if (image == std::array<int, 3>{0, 0, 0}) continue;
-    all.push_back({index, image, inclusion.center + image_shift(cell, image)});
+// The inclusion itself first, then its images in order.
+void add_with_images(std::vector<Placement>& all, const Cell& cell, std::size_t index,
+                     const Inclusion& inclusion) {
+  std::vector<ImageInCell> images = images_reaching_in(cell, inclusion);
+  std::stable_partition(images.begin(), images.end(), [](const ImageInCell& one) {
+    return one.image == std::array<int, 3>{0, 0, 0};
+  });
+  for (const ImageInCell& one : images) {
+    all.push_back({index, one.image, inclusion.center + image_shift(cell, one.image), one.cuts});
   }
 }
 
@@ -20,8 +26,11 @@ std::vector<Placement> placements(const Packing& packing, bool images) {
   std::vector<Placement> all;
   for (std::size_t i = 0; i < packing.inclusions.size(); ++i) {
     const Inclusion& inclusion = packing.inclusions[i];
-    all.push_back({i, {0, 0, 0}, inclusion.center});
-    if (images) add_images(all, packing.cell, i, inclusion);
+    if (images) {
+      add_with_images(all, packing.cell, i, inclusion);
+    } else {
+      all.push_back({i, {0, 0, 0}, inclusion.center, {}});
+    }
   }
   return all;
 }

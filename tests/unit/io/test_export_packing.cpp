@@ -107,11 +107,13 @@ TEST_CASE("a CSV export of a 2D packing lists the images that reach into the cel
   export_packing(folder / "packing.csv", two_flat_shapes(), {.images = true});
   const std::string text = test::content_of(folder / "packing.csv");
   CHECK(text.find("inclusion,group,shape,area,center_x,center_y,radius,axes_a,axes_b,angle,image_x,"
-                  "image_y\n") == 0);
-  CHECK(text.find("0,plates,disk,0.031415926535897934,1.95,0.5,0.1,,,,0,0\n") != std::string::npos);
-  CHECK(text.find("0,plates,disk,0.031415926535897934,-0.050000000000000044,0.5,0.1,,,,-1,0\n") !=
+                  "image_y,cuts\n") == 0);
+  CHECK(text.find("0,plates,disk,0.031415926535897934,1.95,0.5,0.1,,,,0,0,x+\n") !=
         std::string::npos);
-  CHECK(text.find(",0.3,0.1,0.5,0,0\n") != std::string::npos);
+  CHECK(
+      text.find("0,plates,disk,0.031415926535897934,-0.050000000000000044,0.5,0.1,,,,-1,0,x-\n") !=
+      std::string::npos);
+  CHECK(text.find(",0.3,0.1,0.5,0,0,\n") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') == 4);
 }
 
@@ -127,6 +129,27 @@ TEST_CASE("a fiber longer than the cell is exported with all images that reach i
   packing.inclusions[0].body = Cylinder{0.1, 1e9, {0, 0, 1}};
   CHECK_THROWS_WITH(export_packing(folder / "packing.csv", packing, {.images = true}),
                     Catch::Contains("inclusion 0") && Catch::Contains("periods"));
+}
+
+TEST_CASE("an image whose box alone reaches into the cell is left out of every export") {
+  const test::TemporaryFolder folder;
+  Packing packing;
+  packing.groups = {"balls"};
+  packing.inclusions = {{{0.08, 0.08, 0.5}, Sphere{0.1}, 0}, {{0.5, 0.5, 0.5}, Sphere{0.1}, 0}};
+  export_packing(folder / "packing.csv", packing, {.images = true});
+  std::istringstream lines(test::content_of(folder / "packing.csv"));
+  std::vector<std::string> ends;
+  for (std::string line; std::getline(lines, line);) ends.push_back(line.substr(line.size() - 12));
+  // Not the image shifted along x and y: its corner of the box is empty.
+  REQUIRE(ends.size() == 5);
+  CHECK_THAT(ends[0], Catch::EndsWith(",cuts"));
+  CHECK_THAT(ends[1], Catch::EndsWith(",0,0,0,x- y-"));
+  CHECK_THAT(ends[2], Catch::EndsWith(",0,1,0,y+"));
+  CHECK_THAT(ends[3], Catch::EndsWith(",1,0,0,x+"));
+  CHECK_THAT(ends[4], Catch::EndsWith(",0,0,0,"));
+  export_packing(folder / "packing.stl", packing, {.segments = 8, .images = true});
+  const std::string bytes = test::content_of(folder / "packing.stl");
+  CHECK(bytes.size() == 84 + 50 * 4 * triangle_count(ShapeKind::sphere, 8));
 }
 
 TEST_CASE("VTK reads a 3D export: closed surfaces with the values of each inclusion") {
