@@ -23,6 +23,15 @@ Json value_or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+// A value beside what chance alone gives; infinite numbers are null.
+Json against_chance_json(double value, const RandomValue& random) {
+  return {{"value", finite_or_null(value)},
+          {"random",
+           {{"mean", finite_or_null(random.mean)},
+            {"standard_deviation", finite_or_null(random.standard_deviation)},
+            {"interval_95", {finite_or_null(random.low), finite_or_null(random.high)}}}}};
+}
+
 Json group_json(const GroupOutcome& group) {
   Json text{{"name", group.name},
             {"count", group.count},
@@ -33,12 +42,33 @@ Json group_json(const GroupOutcome& group) {
   text["orientation"] = {{"redrawn", group.redrawn},
                          {"tensor", tensor_json(group.tensor)},
                          {"tensor_ordered", tensor_json(group.ordered_tensor)}};
+  if (!group.order) return text;
+  text["orientation"]["nematic_order"] =
+      against_chance_json(group.order->nematic, group.random_order->nematic);
+  text["orientation"]["rho"] = against_chance_json(group.order->rho, group.random_order->rho);
   return text;
 }
 
 std::string tensor_text(const SymMat3& t) {
   return fmt::format("xx {:.4f} yy {:.4f} zz {:.4f} yz {:+.4f} xz {:+.4f} xy {:+.4f}", t.xx, t.yy,
                      t.zz, t.yz, t.xz, t.xy);
+}
+
+std::string short_number(double x) {
+  return std::isfinite(x) ? fmt::format("{:.3g}", x) : "infinite";
+}
+
+std::string against_chance_text(double value, const RandomValue& random) {
+  return fmt::format("{} (random {}, 95 % in {} to {})", short_number(value),
+                     short_number(random.mean), short_number(random.low),
+                     short_number(random.high));
+}
+
+// Two axes or one say nothing of how the others would lie.
+std::string order_text(const GroupOutcome& group) {
+  if (!group.order || group.count < 3) return "";
+  return "    order S " + against_chance_text(group.order->nematic, group.random_order->nematic) +
+         ", rho " + against_chance_text(group.order->rho, group.random_order->rho) + "\n";
 }
 
 std::string group_text(const GroupOutcome& group, std::size_t width) {
@@ -48,7 +78,7 @@ std::string group_text(const GroupOutcome& group, std::size_t width) {
   if (group.ordered_fraction && group.count < group.ordered_count.value_or(0)) {
     text += fmt::format(" of {:.6g}", *group.ordered_fraction);
   }
-  text += "\n";
+  text += "\n" + order_text(group);
   if (!group.redrawn || !group.tensor) return text;
   text += "    orientations were redrawn with the trials, which favors those that fit:\n";
   if (group.ordered_tensor) {

@@ -31,5 +31,6 @@
 #include "packstone/structure/face_crossings.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
 #include "packstone/structure/orientation_law.hpp"
+#include "packstone/structure/orientation_order.hpp"
 #include "packstone/structure/packing.hpp"
 #include "packstone/structure/standing.hpp"

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
-#include <numbers>
 #include <utility>
 
 #include "packstone/core/error.hpp"
 #include "packstone/core/number_text.hpp"
-#include "packstone/core/overloaded.hpp"
 #include "packstone/core/version.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
@@ -75,32 +72,12 @@ RsaResult run_rsa(const Recipe& recipe, const InclusionMix& mix, const RunContex
       recipe.cell, [&supply](std::int64_t k) { return supply(k); }, options, run);
 }
 
-// The axis that an orientation law speaks of.
-std::optional<Vec3> law_axis(const Body& body) {
-  using Axis = std::optional<Vec3>;
-  return std::visit(
-      Overloaded{[](const Ellipsoid& b) -> Axis {
-                   const Mat3 turn = to_matrix(b.orientation);
-                   const int axis = symmetry_axis(b.semi_axes);
-                   return axis == 0 ? turn.col_x : axis == 1 ? turn.col_y : turn.col_z;
-                 },
-                 [](const Ellipse& b) -> Axis {
-                   const bool x_is_major = b.semi_axes.x >= b.semi_axes.y;
-                   const double angle = b.angle + (x_is_major ? 0.0 : std::numbers::pi / 2);
-                   return Vec3{std::cos(angle), std::sin(angle), 0.0};
-                 },
-                 [](const Cylinder& b) -> Axis { return b.axis; },
-                 [](const Spherocylinder& b) -> Axis { return b.axis; },
-                 [](const auto&) -> Axis { return std::nullopt; }},
-      body);
-}
-
 // Sample mean of u u^T per group; bodies are OrderedBody or Inclusion.
 template <class Bodies>
 std::vector<std::optional<SymMat3>> tensors(const Bodies& bodies, std::size_t groups) {
   std::vector<std::vector<Vec3>> axes(groups);
   for (const auto& one : bodies) {
-    if (const auto axis = law_axis(one.body)) {
+    if (const auto axis = symmetry_axis(one.body)) {
       axes[static_cast<std::size_t>(one.group)].push_back(*axis);
     }
   }
@@ -124,6 +101,9 @@ std::vector<GroupOutcome> compare(const Recipe& recipe, const InclusionMix& mix,
     outcomes[g].redrawn = !redrawn.empty() && redrawn[g];
     outcomes[g].ordered_tensor = ordered_tensors[g];
     outcomes[g].tensor = reached_tensors[g];
+    if (reached_tensors[g]) {
+      outcomes[g].order = orientation_order(*reached_tensors[g], recipe.cell.dimension);
+    }
     if (mix.open_count[g]) continue;
     outcomes[g].ordered_count = 0;
     outcomes[g].ordered_fraction = 0.0;
@@ -137,6 +117,10 @@ std::vector<GroupOutcome> compare(const Recipe& recipe, const InclusionMix& mix,
     GroupOutcome& outcome = outcomes[static_cast<std::size_t>(inclusion.group)];
     ++outcome.count;
     outcome.fraction += volume(inclusion.body) / space;
+  }
+  for (GroupOutcome& outcome : outcomes) {
+    // A group is of one shape: all of its inclusions have an axis, or none has.
+    if (outcome.order) outcome.random_order = random_order(outcome.count, recipe.cell.dimension);
   }
   return outcomes;
 }

@@ -262,6 +262,19 @@ class Packing(Case):
         done = self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json", "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
 
+    def test_order_is_reported_beside_what_chance_gives(self):
+        done = self.run_program("pack", EXAMPLES / "ellipsoids.toml", "-o", "e.json", "--json")
+        orientation = json.loads(done.stdout)["groups"][0]["orientation"]
+        for name in ("nematic_order", "rho"):
+            chance = orientation[name]["random"]
+            low, high = chance["interval_95"]
+            self.assertLess(low, chance["mean"])
+            self.assertLess(chance["mean"], high)
+            self.assertLess(low - chance["standard_deviation"], orientation[name]["value"])
+            self.assertLess(orientation[name]["value"], high + chance["standard_deviation"])
+        done = self.run_program("pack", EXAMPLES / "ellipsoids.toml", "-o", "e.json")
+        self.assertRegex(done.stdout, r"order S 0\.\d+ \(random 0\.\d+, 95 % in .* rho 1\.\d+ \(random")
+
     def test_redrawn_orientations_are_reported(self):
         recipe = EXAMPLES / "salnikov_mixture.toml"
         self.assertIn("redrawn", self.run_program("pack", recipe, "-o", "s.json").stdout)

@@ -11,6 +11,7 @@
 #include "packstone/core/mat.hpp"
 #include "packstone/core/run_context.hpp"
 #include "packstone/recipe/recipe.hpp"
+#include "packstone/structure/orientation_order.hpp"
 #include "packstone/structure/packing.hpp"
 
 namespace packstone {
@@ -28,6 +29,9 @@ struct GroupOutcome {
   /// [-]. Absent for spheres and disks; the ordered one also where the count is open.
   std::optional<SymMat3> ordered_tensor;
   std::optional<SymMat3> tensor;
+  /// Order of `tensor`, and that of as many independent random axes. Absent where `tensor` is.
+  std::optional<OrientationOrder> order;
+  std::optional<RandomOrder> random_order;
 };
 
 /// What pack() made, beside what was ordered.

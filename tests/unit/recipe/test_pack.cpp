@@ -117,6 +117,23 @@ TEST_CASE("a size alone fills the cell, around groups that are counted") {
   CHECK(around.groups[1].count > 10);
 }
 
+TEST_CASE("the order of orientations is reported beside that of as many random axes") {
+  const PackOutcome outcome = pack(order(kMixture));
+  const GroupOutcome& turned = outcome.groups[0];
+  REQUIRE(turned.order.has_value());
+  CHECK(*turned.order == orientation_order(*turned.tensor, 3));
+  CHECK(*turned.random_order == random_order(turned.count, 3));
+  CHECK_FALSE(outcome.groups[1].order.has_value());
+  CHECK_FALSE(outcome.groups[1].random_order.has_value());
+
+  const std::string rods =
+      "[[inclusions]]\nshape = \"ellipse\"\nsemi_axes = [0.06, 0.02]\ncount = 30\n"
+      "orientation = { tensor = [[0.7, 0], [0, 0.3]] }\n";
+  const PackOutcome flat = pack(order(rods, "[1, 1]"));
+  CHECK(flat.groups[0].order->nematic == Approx(0.4).epsilon(1e-10));
+  CHECK(flat.groups[0].order->rho == Approx(7.0 / 3).epsilon(1e-10));
+}
+
 TEST_CASE("redrawn orientations are reported beside those that were drawn") {
   const PackOutcome redrawn = pack(order(kMixture + "[packing.rsa]\nredraw_orientations = true\n"));
   CHECK(redrawn.groups[0].redrawn);
