@@ -54,21 +54,23 @@ std::string tensor_text(const SymMat3& t) {
                      t.zz, t.yz, t.xz, t.xy);
 }
 
-std::string short_number(double x) {
-  return std::isfinite(x) ? fmt::format("{:.3g}", x) : "infinite";
+std::string rounded(double x, int digits) {
+  return std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : "infinite";
 }
 
-std::string against_chance_text(double value, const RandomValue& random) {
-  return fmt::format("{} (random {}, 95 % in {} to {})", short_number(value),
-                     short_number(random.mean), short_number(random.low),
-                     short_number(random.high));
+std::string against_chance_text(double value, const RandomValue& random, int digits) {
+  return fmt::format("{} (random {}, 95 % in {} to {})", rounded(value, digits),
+                     rounded(random.mean, digits), rounded(random.low, digits),
+                     rounded(random.high, digits));
 }
 
 // Two axes or one say nothing of how the others would lie.
 std::string order_text(const GroupOutcome& group) {
   if (!group.order || group.count < 3) return "";
-  return "    order S " + against_chance_text(group.order->nematic, group.random_order->nematic) +
-         ", rho " + against_chance_text(group.order->rho, group.random_order->rho) + "\n";
+  // Of rho the part above 1 counts.
+  return "    order S " +
+         against_chance_text(group.order->nematic, group.random_order->nematic, 3) + ", rho " +
+         against_chance_text(group.order->rho, group.random_order->rho, 4) + "\n";
 }
 
 std::string group_text(const GroupOutcome& group, std::size_t width) {

@@ -76,7 +76,7 @@ TEST_CASE("a body just too small to reach a box is proven apart, a little larger
   for (const ShapeKind shape : kShapes) {
     for (int trial = 0; trial < 24; ++trial) {
       // Boxes with three edges cost 40 times as much as rectangles.
-      const bool flat = dimension(shape) == 2 || trial > 0;
+      const bool flat = dimension(shape) == 2 || trial % 6 > 0;
       const Scene scene = random_scene(shape, flat, random);
       const double gauge = least_gauge(scene.body, scene.half, scene.r);
       if (gauge < 1e-3) continue;  // The box holds the center.
