@@ -130,8 +130,8 @@ class PairSearch {
       : packing_(packing), min_gap_(min_gap), grid_(packing.cell) {
     for (const Inclusion& inclusion : packing.inclusions) {
       extents_.push_back(half_extents(inclusion.body));
+      check_images(packing.cell, extents_.size() - 1, extents_.back());
     }
-    check_images(packing);
     grid_.reserve(count());
     for (std::int64_t i = 0; i < count(); ++i) {
       grid_.insert(static_cast<std::int32_t>(i), packing.inclusions[i].center, extents_[i]);

@@ -51,12 +51,15 @@ std::optional<std::string> why_too_many_own_images(const Cell& cell, const Vec3&
   return std::nullopt;
 }
 
+void check_images(const Cell& cell, std::size_t inclusion, const Vec3& half_extents) {
+  if (const auto reason = why_too_many_own_images(cell, half_extents)) {
+    throw InvalidArgument("inclusion " + std::to_string(inclusion) + ": " + *reason);
+  }
+}
+
 void check_images(const Packing& packing) {
   for (std::size_t i = 0; i < packing.inclusions.size(); ++i) {
-    const Vec3 half = half_extents(packing.inclusions[i].body);
-    if (const auto reason = why_too_many_own_images(packing.cell, half)) {
-      throw InvalidArgument("inclusion " + std::to_string(i) + ": " + *reason);
-    }
+    check_images(packing.cell, i, half_extents(packing.inclusions[i].body));
   }
 }
 

@@ -31,8 +31,10 @@ inline constexpr double kMostOwnImages = 1e6;
                                                                  const Vec3& half_extents);
 
 /// Refuses what would be endless work to list: throws InvalidArgument, "inclusion 7: it is ...",
-/// when a body of the packing has too many own images.
+/// when a body of the packing has too many own images. The second form is for one inclusion whose
+/// half extents [L] are known.
 void check_images(const Packing& packing);
+void check_images(const Cell& cell, std::size_t inclusion, const Vec3& half_extents);
 
 /// Why no two inclusions can be ordered to keep `min_gap` [L]: "allowed are numbers >= 0 and below
 /// 1, ..."; nothing if they can. Whatever stands has no more than one period to its own image.
