@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "commands.hpp"
 #include "output_file.hpp"
@@ -32,12 +34,13 @@ void print_list() {
 }
 
 std::string_view text_of(const std::string& name) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (const Template& one : templates()) {
     if (one.name == name) return one.text;
-    known += (known.empty() ? "" : ", ") + std::string(one.name);
+    known.push_back(one.name);
   }
-  throw InvalidArgument("no template \"" + name + "\"; allowed is one of " + known);
+  throw InvalidArgument(
+      fmt::format("no template \"{}\"; allowed is one of {}", name, fmt::join(known, ", ")));
 }
 
 int run_new(const NewArguments& arguments) {

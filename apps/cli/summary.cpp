@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "packstone/core/number_text.hpp"
+
 namespace packstone::cli {
 namespace {
 
@@ -55,7 +57,7 @@ std::string tensor_text(const SymMat3& t) {
 }
 
 std::string rounded(double x, int digits) {
-  return std::isfinite(x) ? fmt::format("{:.{}g}", x, digits) : "infinite";
+  return std::isfinite(x) ? number_text(x, digits) : "infinite";
 }
 
 std::string against_chance_text(double value, const RandomValue& random, int digits) {
