@@ -29,6 +29,11 @@ Inclusion random_inclusion(const Cell& cell, RandomStream& random, double longes
   return one;
 }
 
+Ellipsoid random_ellipsoid(RandomStream& random, double least) {
+  return std::get<Ellipsoid>(
+      test::random_body(ShapeKind::ellipsoid, random, [&] { return random.uniform(least, 0.8); }));
+}
+
 std::set<Image> listed(const Cell& cell, const Inclusion& inclusion) {
   std::set<Image> images;
   for (const ImageInCell& one : images_reaching_in(cell, inclusion)) images.insert(one.image);
@@ -113,9 +118,7 @@ TEST_CASE("an ellipsoid cuts the planes where the published quadratic is negativ
   for (int trial = 0; trial < 4000; ++trial) {
     const Cell& cell = kCells[trial % 2];
     Inclusion one = random_inclusion(cell, random, 0.8);
-    const Ellipsoid body{
-        {random.uniform(0.02, 0.8), random.uniform(0.02, 0.8), random.uniform(0.02, 0.8)},
-        random_rotation(random)};
+    const Ellipsoid body = random_ellipsoid(random, 0.02);
     one.body = body;
     const CellFaces planes = planes_cut(cell, one);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -224,9 +227,7 @@ TEST_CASE("images of ellipsoids and spherocylinders reach in where searches in t
   for (int trial = 0; trial < 400; ++trial) {
     const Cell& cell = kCells[trial % 2];
     Inclusion one = random_inclusion(cell, random, 0.6);
-    const Ellipsoid ellipsoid{
-        {random.uniform(0.05, 0.8), random.uniform(0.05, 0.8), random.uniform(0.05, 0.8)},
-        random_rotation(random)};
+    const Ellipsoid ellipsoid = random_ellipsoid(random, 0.05);
     const Spherocylinder rod{random.uniform(0.02, 0.2), random.uniform(0.1, 1.5),
                              random_direction(random)};
     for (const Body& body : {Body(ellipsoid), Body(rod)}) {
