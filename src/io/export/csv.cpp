@@ -77,7 +77,8 @@ std::string faces_text(const CellFaces& faces) {
 std::string image_columns(const Placement& placement, int dimension) {
   std::string text;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    text += "," + std::to_string(placement.image[axis]);
+    text += ",";
+    text += std::to_string(placement.image[axis]);
   }
   return text + "," + faces_text(placement.cuts);
 }
