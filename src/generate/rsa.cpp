@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "generate/ordered_bodies.hpp"
 #include "generate/rsa/adsorption.hpp"
 #include "generate/rsa/equal_balls.hpp"
 #include "generate/rsa/failed_starts.hpp"
@@ -19,7 +20,6 @@
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
-#include "packstone/structure/images.hpp"
 #include "packstone/structure/standing.hpp"
 
 namespace packstone {
@@ -31,9 +31,7 @@ using rsa::Search;
 using rsa::Turning;
 
 void check_options(const Cell& cell, const RsaOptions& options) {
-  if (const auto reason = why_no_least_gap(cell, options.min_gap)) {
-    throw InvalidArgument(fmt::format("RsaOptions::min_gap is {}; {}", options.min_gap, *reason));
-  }
+  check_min_gap(cell, options.min_gap, "RsaOptions");
   if (options.max_trials < 1) {
     throw InvalidArgument(
         fmt::format("RsaOptions::max_trials is {}; it must be >= 1", options.max_trials));
@@ -50,37 +48,9 @@ void check_options(const Cell& cell, const RsaOptions& options) {
   }
 }
 
-// Throws unless `ordered` is a body of the kind of this cell. `k` is its number in the order.
-void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k) {
-  try {
-    check_body(ordered.body);
-  } catch (const InvalidArgument& error) {
-    throw InvalidArgument(fmt::format("body {}: {}", k, error.what()));
-  }
-  const ShapeKind shape = kind(ordered.body);
-  if (dimension(shape) != cell.dimension) {
-    throw InvalidArgument(fmt::format("body {} is a {}, which has dimension {}; the cell has {}", k,
-                                      name(shape), dimension(shape), cell.dimension));
-  }
-  if (ordered.group < 0) {
-    throw InvalidArgument(fmt::format("body {}: group is {}; it must be >= 0", k, ordered.group));
-  }
-}
-
-std::optional<std::string> why_it_cannot_stand(const Cell& cell, const OrderedBody& ordered,
-                                               const RsaOptions& options) {
-  const bool turns = rsa::turning_on_trial(ordered, options) != Turning::none;
-  return why_it_cannot_stand(cell, ordered.body, options.min_gap,
-                             turns ? Turn::any : Turn::as_given);
-}
-
-// Throws unless the body may stand in the cell alone.
-void check_alone(const Cell& cell, const OrderedBody& ordered, std::int64_t k,
-                 const RsaOptions& options) {
-  if (const auto reason = why_it_cannot_stand(cell, ordered, options)) {
-    throw InvalidArgument(fmt::format("body {} ({}, group {}) cannot stand in the cell: {}", k,
-                                      name(kind(ordered.body)), ordered.group, *reason));
-  }
+// How a body may be turned by the trials.
+Turn turn_of(const OrderedBody& ordered, const RsaOptions& options) {
+  return rsa::turning_on_trial(ordered, options) != Turning::none ? Turn::any : Turn::as_given;
 }
 
 std::vector<std::int64_t> sequence_of(const std::vector<OrderedBody>& bodies,
@@ -233,7 +203,8 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
   check_options(cell, options);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     check_ordered(cell, bodies[k], static_cast<std::int64_t>(k));
-    check_alone(cell, bodies[k], static_cast<std::int64_t>(k), options);
+    check_alone(cell, bodies[k], static_cast<std::int64_t>(k), options.min_gap,
+                turn_of(bodies[k], options));
   }
   check_room(cell, bodies, options.min_gap);
 
@@ -295,8 +266,9 @@ RsaResult rsa_fill(const Cell& cell, const BodySource& source, const RsaOptions&
   for (std::int64_t k = 0; search == Search::placed; ++k) {
     const OrderedBody ordered = source(k);
     check_ordered(cell, ordered, k);
-    if (k == 0) check_alone(cell, ordered, k, options);
-    const bool hopeless = k > 0 && why_it_cannot_stand(cell, ordered, options);
+    const Turn turn = turn_of(ordered, options);
+    if (k == 0) check_alone(cell, ordered, k, options.min_gap, turn);
+    const bool hopeless = k > 0 && why_it_cannot_stand(cell, ordered.body, options.min_gap, turn);
     search = hopeless ? Search::no_room : adsorption.place(ordered, k);
     if (search != Search::placed) break;
     const PlacedBodies& placed = adsorption.placed();

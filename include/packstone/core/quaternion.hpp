@@ -68,4 +68,33 @@ inline Quaternion from_z_to(const Vec3& axis) {
   return normalized(Quaternion{across, -factor * axis.y, factor * axis.x, 0.0});
 }
 
+/// The rotation with this matrix; the largest of the four components is found first, so that none
+/// cancels. K. Shoemake, SIGGRAPH Comput. Graph. 19 (1985) 245-254.
+inline Quaternion from_matrix(const Mat3& m) {
+  const double xx = m.col_x.x, yy = m.col_y.y, zz = m.col_z.z;
+  const double yz = m.col_y.z, zy = m.col_z.y, zx = m.col_z.x, xz = m.col_x.z, xy = m.col_x.y,
+               yx = m.col_y.x;
+  if (xx + yy + zz > 0.0) {
+    return normalized(Quaternion{1.0 + xx + yy + zz, yz - zy, zx - xz, xy - yx});
+  }
+  if (xx > yy && xx > zz) {
+    return normalized(Quaternion{yz - zy, 1.0 + xx - yy - zz, yx + xy, xz + zx});
+  }
+  if (yy > zz) return normalized(Quaternion{zx - xz, xy + yx, 1.0 + yy - xx - zz, zy + yz});
+  return normalized(Quaternion{xy - yx, zx + xz, zy + yz, 1.0 + zz - xx - yy});
+}
+
+/// The shortest rotation that turns the unit vector `from` to the unit vector `to`.
+inline Quaternion from_to(const Vec3& from, const Vec3& to) {
+  constexpr double kOpposite = 1e-6;
+  const Vec3 across = cross(from, to);
+  const double cosine = dot(from, to);
+  if (cosine < -1.0 + kOpposite) {
+    // By half a turn first, from where the rest is short.
+    const Vec3 axis = any_perpendicular(from);
+    return from_to(-from, to) * Quaternion{0.0, axis.x, axis.y, axis.z};
+  }
+  return normalized(Quaternion{1.0 + cosine, across.x, across.y, across.z});
+}
+
 }  // namespace packstone

@@ -29,6 +29,8 @@ enum class StreamId : std::uint64_t {
   rsa_order = 7,
   benchmark = 8,
   draw = 9,
+  event_driven_centers = 10,
+  event_driven_velocities = 11,
 };
 
 /// The numbers of one (seed, stream, item, trial), drawn in sequence.

@@ -1,0 +1,297 @@
+#include "generate/event_driven/contact_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "generate/event_driven/contact_gap.hpp"
+#include "generate/event_driven/plane_bound.hpp"
+#include "generate/event_driven/plane_search.hpp"
+#include "generate/event_driven/revolution_pair.hpp"
+
+namespace packstone::event_driven {
+namespace {
+
+constexpr int kMostSteps = 200;
+
+// The plane that separates by most.
+RevolutionPlane<double, Vec3> best_plane(const Revolution<double, Vec3>& a,
+                                         const Revolution<double, Vec3>& b, const Vec3& r,
+                                         double l) {
+  constexpr int kMostPlaneSteps = 40;
+  constexpr double kConverged = 1e-9;
+  RevolutionPlane<double, Vec3> plane = plane_step(a, b, r, l);
+  for (int k = 1; k < kMostPlaneSteps; ++k) {
+    const double moved = std::abs(plane.l - l);
+    l = plane.l;
+    if (moved <= kConverged * std::min(l, 1.0 - l)) break;
+    plane = plane_step(a, b, r, l);
+  }
+  return plane;
+}
+
+}  // namespace
+
+// Two bodies, or a body and a wall, at one instant.
+struct ContactSearch::Instant {
+  PosedBody a, b;
+  Vec3 r;         // From center to center; for walls from the center to its foot on the wall.
+  Vec3 velocity;  // Of b seen from a.
+  Vec3 angular_a, angular_b;
+  double size = 1.0;
+  bool wall = false;
+  bool smooth = true;  // Kernels of ellipsoids do.
+
+  [[nodiscard]] Plane plane(double min_gap, const Vec3& known, Effort effort) const {
+    if (wall) return {r, {}, {}};
+    return find_plane(a, b, r, min_gap, known, effort);
+  }
+};
+
+ContactSearch::ContactSearch(const Bodies& bodies, const Cell& cell)
+    : bodies_(bodies),
+      cell_(cell),
+      coordinate_gap_(kCoordinateGap * std::max({cell.size.x, cell.size.y, cell.size.z})) {}
+
+double ContactSearch::contact_gap(std::int32_t i, const Partner& partner, double t) const {
+  const auto k = static_cast<std::size_t>(i);
+  double reach = bodies_.reach[k];
+  bool smooth = is_ellipsoid(bodies_.form[k]);
+  if (!is_wall(partner.body)) {
+    const auto j = static_cast<std::size_t>(partner.body);
+    reach += bodies_.reach[j];
+    smooth = smooth && is_ellipsoid(bodies_.form[j]) && bodies_.min_gap == 0.0;
+  }
+  const double relative = smooth ? kSmoothContactGap : kGeneralContactGap;
+  return std::max(relative * reach * bodies_.size_at(t), coordinate_gap_);
+}
+
+ContactSearch::Instant ContactSearch::instant(std::int32_t i, const Partner& partner,
+                                              double t) const {
+  const auto k = static_cast<std::size_t>(i);
+  Instant now;
+  now.size = bodies_.size_at(t);
+  const Pose pose = bodies_.pose(i, t);
+  now.a = posed(bodies_, i, pose, now.size);
+  now.angular_a = bodies_.spin[k].angular;
+  now.velocity = -bodies_.flight[k].velocity;
+  if (is_wall(partner.body)) {
+    const int number = -1 - partner.body;
+    const auto axis = static_cast<std::size_t>(number / 2);
+    const double place = number % 2 == 1 ? cell_.size[axis] : 0.0;
+    now.r[axis] = place - pose.center[axis];
+    now.wall = true;
+    now.smooth = is_ellipsoid(now.a.form);
+    return now;
+  }
+  const auto j = static_cast<std::size_t>(partner.body);
+  const Pose other = partner.body == i ? pose : bodies_.pose(partner.body, t);
+  now.b = posed(bodies_, partner.body, other, now.size);
+  now.angular_b = bodies_.spin[j].angular;
+  now.r = partner.body == i ? partner.shift : other.center + partner.shift - pose.center;
+  now.velocity += bodies_.flight[j].velocity;
+  now.smooth = is_ellipsoid(now.a.form) && is_ellipsoid(now.b.form) && bodies_.min_gap == 0.0;
+  return now;
+}
+
+double ContactSearch::gap(std::int32_t i, const Partner& partner, double t) const {
+  const Instant now = instant(i, partner, t);
+  const Plane plane = now.plane(bodies_.min_gap, {}, Effort::touch);
+  const double supports =
+      support(now.a, plane.normal) + (now.wall ? 0.0 : support(now.b, plane.normal));
+  return (dot(plane.normal, now.r) - supports) / norm(plane.normal) - bodies_.min_gap;
+}
+
+Contact ContactSearch::contact(std::int32_t i, const Partner& partner, double t,
+                               const Vec3& normal) const {
+  const Instant now = instant(i, partner, t);
+  const Plane plane = now.plane(bodies_.min_gap, normal, Effort::touch);
+  Contact contact;
+  contact.normal = normalized(plane.normal);
+  contact.between = now.r;
+  double supports = support(now.a, contact.normal);
+  if (now.wall) {
+    contact.arm_a = support_point(now.a, contact.normal);
+  } else {
+    supports += support(now.b, contact.normal);
+    contact.arm_a = plane.point_a;
+    contact.arm_b = plane.point_b;
+  }
+  contact.growth_speed = bodies_.growth / now.size * supports;
+  const Vec3 speed =
+      now.velocity + cross(now.angular_b, contact.arm_b) - cross(now.angular_a, contact.arm_a);
+  contact.approach = contact.growth_speed - dot(contact.normal, speed);
+  return contact;
+}
+
+Found ContactSearch::first_contact_of_balls(std::int32_t i, const Partner& partner, double t,
+                                            double horizon) {
+  const Instant now = instant(i, partner, t);
+  const double radii = bodies_.spin[static_cast<std::size_t>(i)].lateral +
+                       bodies_.spin[static_cast<std::size_t>(partner.body)].lateral;
+  const double contact_gap = this->contact_gap(i, partner, t);
+  const double growth = bodies_.growth * radii;
+  const double range = now.size * radii + bodies_.min_gap;
+  const double distance = norm(now.r);
+  count_.least_gap = std::min(count_.least_gap, distance - range);
+  const double rate = dot(now.r, now.velocity) / distance - growth;
+  if (rate >= 0.0) return {};
+  const double gap = distance - (range + kAimedPart * contact_gap);
+  if (gap <= 0.0) return {Finding::contact, t};
+  const double a = norm_sq(now.velocity) - growth * growth;
+  const double b = dot(now.r, now.velocity) - (range + kAimedPart * contact_gap) * growth;
+  const double c = gap * (distance + range + kAimedPart * contact_gap);
+  const double discriminant = b * b - a * c;
+  if (b >= 0.0 && a >= 0.0) return {};
+  if (discriminant < 0.0) return {};
+  const double after =
+      b < 0.0 ? c / (std::sqrt(discriminant) - b) : -(b + std::sqrt(discriminant)) / a;
+  if (t + after >= horizon) return {};
+  return {Finding::contact, t + after};
+}
+
+// One of a pair of revolution, on its way from the clock it was stored at.
+struct ContactSearch::Turning {
+  const Spin& spin;
+  double turn;
+  double clock;
+  double reach;
+  Form form;
+
+  Turning(const Bodies& bodies, std::int32_t i)
+      : spin(bodies.spin[static_cast<std::size_t>(i)]),
+        turn(bodies.flight[static_cast<std::size_t>(i)].turn),
+        clock(bodies.flight[static_cast<std::size_t>(i)].clock),
+        reach(bodies.reach[static_cast<std::size_t>(i)]),
+        form(bodies.form[static_cast<std::size_t>(i)]) {}
+
+  [[nodiscard]] Revolution<double, Vec3> at(double t) const {
+    const double lateral = spin.lateral * spin.lateral;
+    return {turn > 0.0 ? turned_across(spin.axis, spin.angular, turn, t - clock) : spin.axis,
+            spin.angular, lateral, spin.axial * spin.axial - lateral, turn};
+  }
+};
+
+Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& partner, double t,
+                                                 double horizon, const Suspicion& suspicion) {
+  ++count_.searches;
+  const Turning a(bodies_, i), b(bodies_, partner.body);
+  const Flight& flight_a = bodies_.flight[static_cast<std::size_t>(i)];
+  const Flight& flight_b = bodies_.flight[static_cast<std::size_t>(partner.body)];
+  const Vec3 velocity = flight_b.velocity - flight_a.velocity;
+  const bool own_image = partner.body == i;
+  const Vec3 from = own_image ? partner.shift
+                              : (flight_b.center - flight_a.center) + partner.shift +
+                                    (t - flight_b.clock) * flight_b.velocity -
+                                    (t - flight_a.clock) * flight_a.velocity;
+  const double contact_gap = this->contact_gap(i, partner, t);
+  RevolutionPlane<double, Vec3> plane{suspicion.normal, suspicion.l, 0.0, 0.0};
+  bool known = true, touching = false;
+  double time = t;
+  for (int step = 0; step < kMostSteps; ++step) {
+    ++count_.steps;
+    const double size = bodies_.size_at(time);
+    const Revolution<double, Vec3> now_a = a.at(time), now_b = b.at(time);
+    const Vec3 r = from + (time - t) * velocity;
+    const auto bound_of = [&] {
+      PlaneBound bound({plane.normal, {}}, r, velocity, 0.0);
+      bound.add_revolution(a.spin, now_a.axis, a.turn, a.reach, size, bodies_.growth);
+      bound.add_revolution(b.spin, now_b.axis, b.turn, b.reach, size, bodies_.growth);
+      return bound;
+    };
+    if (!known || touching) plane = plane_step(now_a, now_b, r, plane.l);
+    known = false;
+    PlaneBound bound = bound_of();
+    double length = norm(plane.normal);
+    double gap = bound.at(0.0) / length;
+    if (gap <= contact_gap) {
+      plane = best_plane(now_a, now_b, r, plane.l);
+      touching = true;
+      bound = bound_of();
+      length = norm(plane.normal);
+      gap = bound.at(0.0) / length;
+      if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
+    }
+    if (gap <= contact_gap) {
+      if (bound.slope(0.0) < 0.0) return {Finding::contact, time};
+      constexpr double kLeast = 0.1;
+      const double lift = std::max(0.0, kLeast * contact_gap - gap);
+      bound.raise(lift * length);
+      gap += lift;
+    }
+    const double rest = horizon - time;
+    if (bound.at(rest) >= 0.0) return {};
+    const double aim = std::min(kAimedPart * contact_gap, 0.5 * gap) * length;
+    const double later = time + bound.safe_until(rest, aim);
+    if (later <= time && step > 0) break;
+    time = later;
+  }
+  return {Finding::look_again, time};
+}
+
+Found ContactSearch::first_contact(std::int32_t i, const Partner& partner, double t, double horizon,
+                                   Vec3& normal) {
+  ++count_.searches;
+  const auto k = static_cast<std::size_t>(i);
+  const bool two = !is_wall(partner.body);
+  if (two && bodies_.form[k] == Form::ball &&
+      bodies_.form[static_cast<std::size_t>(partner.body)] == Form::ball) {
+    return first_contact_of_balls(i, partner, t, horizon);
+  }
+  const double contact_gap = this->contact_gap(i, partner, t);
+  const double growth = bodies_.growth;
+  double time = t;
+  Effort effort = Effort::step;
+  for (int step = 0; step < kMostSteps; ++step) {
+    ++count_.steps;
+    const Instant now = instant(i, partner, time);
+    MovingPlane plane{};
+    const auto bound_of = [&] {
+      const bool known = step == 0 && effort == Effort::step && !(normal == Vec3{});
+      plane.normal = known ? normal : now.plane(bodies_.min_gap, normal, effort).normal;
+      plane.rate = now.smooth || now.wall
+                       ? Vec3{}
+                       : normal_rate(now.a, now.b, now.angular_a, now.angular_b, plane.normal);
+      PlaneBound bound(plane, now.r, now.velocity, bodies_.min_gap);
+      const Spin& spin = bodies_.spin[k];
+      const double second = bodies_.second.empty() ? 0.0 : bodies_.second[k].semi_axis;
+      bound.add_body(now.a.form, spin, now.a.pose, second, bodies_.reach[k], now.size, growth);
+      if (!two) return bound;
+      const auto j = static_cast<std::size_t>(partner.body);
+      bound.add_body(now.b.form, bodies_.spin[j], now.b.pose,
+                     bodies_.second.empty() ? 0.0 : bodies_.second[j].semi_axis, bodies_.reach[j],
+                     now.size, growth);
+      return bound;
+    };
+    PlaneBound bound = bound_of();
+    double length = norm(plane.normal);
+    double gap = bound.at(0.0) / length;
+    if (gap <= contact_gap && effort == Effort::step) {
+      effort = Effort::touch;
+      normal = plane.normal;
+      bound = bound_of();
+      length = norm(plane.normal);
+      gap = bound.at(0.0) / length;
+    }
+    normal = plane.normal;
+    if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
+    if (gap <= contact_gap) {
+      const bool closes =
+          now.smooth ? bound.slope(0.0) < 0.0 : contact(i, partner, time, normal).approach > 0.0;
+      if (closes) return {Finding::contact, time};
+      constexpr double kLeast = 0.1;
+      const double lift = std::max(0.0, kLeast * contact_gap - gap);
+      bound.raise(lift * length);
+      gap += lift;
+    }
+    const double rest = horizon - time;
+    if (bound.at(rest) >= 0.0) return {};
+    const double aim = std::min(kAimedPart * contact_gap, 0.5 * gap) * length;
+    const double later = time + bound.safe_until(rest, aim);
+    if (later <= time && step > 0) break;
+    time = later;
+  }
+  return {Finding::look_again, time};
+}
+
+}  // namespace packstone::event_driven

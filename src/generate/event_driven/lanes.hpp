@@ -1,0 +1,108 @@
+#pragma once
+
+/// @file
+/// Eight numbers side by side, in the compilers' own vectors: where the registers of the processor
+/// are narrower, two or four of them do for one. Included by sources alone that compile the same
+/// functions once per width; no operation is fused, so the bits are the same.
+
+#include <cmath>
+#include <cstdint>
+
+#include "packstone/core/vec.hpp"
+
+// Vectors pass between inlined functions alone: no binary interface.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+#define PACKSTONE_LANES [[gnu::always_inline]] static inline
+
+namespace packstone::event_driven {
+
+// The compilers' own vectors.
+using Lanes = double __attribute__((vector_size(64)));
+using Mask = std::int64_t __attribute__((vector_size(64)));
+
+struct Lanes3 {
+  Lanes x, y, z;
+};
+
+PACKSTONE_LANES Lanes3 operator+(const Lanes3& a, const Lanes3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+PACKSTONE_LANES Lanes3 operator-(const Lanes3& a, const Lanes3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+PACKSTONE_LANES Lanes3 operator*(const Lanes& s, const Lanes3& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+PACKSTONE_LANES Lanes dot(const Lanes3& a, const Lanes3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+PACKSTONE_LANES Lanes3 cross(const Lanes3& a, const Lanes3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+PACKSTONE_LANES Lanes3 all_lanes(const Vec3& v) {
+  return {Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z};
+}
+PACKSTONE_LANES Lanes larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+PACKSTONE_LANES Lanes magnitude(const Lanes& a) { return a < 0.0 ? -a : a; }
+PACKSTONE_LANES Lanes within(const Lanes& a, const Lanes& most) {
+  const Lanes low = a > -most ? a : -most;
+  return low < most ? low : most;
+}
+PACKSTONE_LANES Lanes root(const Lanes& a) {
+  Lanes result;
+  for (int l = 0; l < 8; ++l) result[l] = std::sqrt(a[l]);
+  return result;
+}
+PACKSTONE_LANES Lanes lanes_of(const double (&numbers)[8]) {
+  Lanes result;
+  __builtin_memcpy(&result, numbers, sizeof result);
+  return result;
+}
+PACKSTONE_LANES unsigned bits(const Mask& mask) {
+  unsigned result = 0;
+  for (int l = 0; l < 8; ++l) result |= static_cast<unsigned>(mask[l] & 1) << l;
+  return result;
+}
+
+// Eight cache lines of eight numbers, turned into eight lanes of each number.
+struct Columns {
+  Lanes c[8];
+};
+PACKSTONE_LANES Columns transposed(const Lanes (&row)[8]) {
+  Lanes pairs[8], quads[8];
+  for (int k = 0; k < 8; k += 2) {
+    pairs[k] = __builtin_shufflevector(row[k], row[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    pairs[k + 1] = __builtin_shufflevector(row[k], row[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int k = 0; k < 8; k += 4) {
+    for (int j = 0; j < 2; ++j) {
+      quads[k + j] =
+          __builtin_shufflevector(pairs[k + j], pairs[k + j + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+      quads[k + j + 2] =
+          __builtin_shufflevector(pairs[k + j], pairs[k + j + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  }
+  Columns columns;
+  for (int k = 0; k < 4; ++k) {
+    columns.c[k] = __builtin_shufflevector(quads[k], quads[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    columns.c[k + 4] = __builtin_shufflevector(quads[k], quads[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+  return columns;
+}
+
+template <class Line>
+PACKSTONE_LANES Columns gathered(const Line* lines, const std::int32_t (&body)[8]) {
+  static_assert(sizeof(Line) == sizeof(Lanes));
+  Lanes rows[8];
+  for (int l = 0; l < 8; ++l) __builtin_memcpy(&rows[l], lines + body[l], sizeof(Lanes));
+  return transposed(rows);
+}
+
+/// Numbers in a register of this processor: 8, 4 or 2.
+static inline int lanes_width() {
+  if (__builtin_cpu_supports("avx512f") != 0) return 8;
+  return __builtin_cpu_supports("avx2") != 0 ? 4 : 2;
+}
+
+}  // namespace packstone::event_driven

@@ -1,0 +1,224 @@
+#pragma once
+
+/// @file
+/// How long a moving plane keeps two moving bodies apart, for certain.
+///
+/// Bodies a and b with separation r(t) = r + v t, angular velocities w, size factor s(t) = s + g t,
+/// and a plane with normal n(t) = n + m t, not unit. Seen from a turning body the normal is
+///
+///     d(t) = n + k t + e(t),   k = m + n x w,   |e| <= E2 t^2 + E3 t^3                      (1)
+///     E2 = |w| |n x w| / 2 + |w| |m|,   E3 = |m| |w|^2 / 2
+///
+/// by Taylor's formula. A support function that is |M d|, or a sum of such terms, is then at most
+///
+///     s(t) |M d(t)| <= |s M n + t (s M k + g M n)| + C2 t^2 + C3 t^3 + C4 t^4               (2)
+///     C2 = R (g |k| + s E2),   C3 = R (g E2 + s E3),   C4 = R g E3
+///
+/// with R the circumscribed radius; a ball has |n(t)| <= |n| + |m|^2 t^2 / (2 |n|), for m across n,
+/// in place of it. Each square root is the length of a vector that is affine in t, hence convex, so
+///
+///     G(t) = n(t).r(t) - sum of (2) over both bodies,   n(t).r(t) >= n.r + (n.v + m.r) t
+///                                                                 + min(0, m.v) t^2         (3)
+///
+/// is concave and never above |n(t)| times the gap: G > 0 at both ends of an interval proves that
+/// the bodies are apart all through it. Touching smooth bodies have the exact rate of their gap as
+/// G'(0), for any m; where a plane rests on an edge or a flat side, m has to follow that side.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "generate/event_driven/bodies.hpp"
+#include "packstone/core/vec.hpp"
+
+namespace packstone::event_driven {
+
+/// n(t) = normal + rate t; rate across normal.
+struct MovingPlane {
+  Vec3 normal;
+  Vec3 rate;
+};
+
+/// G of equation (3), as a polynomial less square roots of quadratics.
+class PlaneBound {
+ public:
+  /// Of the separation alone: n(t).r(t) less min_gap |n(t)|.
+  PlaneBound(const MovingPlane& plane, const Vec3& r, const Vec3& v, double min_gap);
+
+  /// A body that is apart from the plane on either side. `size` and `growth` are s and g.
+  void add_body(Form form, const Spin& spin, const Pose& pose, double semi_second, double reach,
+                double size, double growth);
+
+  /// add_body() for a ball or a spheroid and a plane that does not turn.
+  void add_revolution(const Spin& spin, const Vec3& axis, double turn, double reach, double size,
+                      double growth);
+
+  /// Adds to G what is known otherwise.
+  void raise(double by) { polynomial_[0] += by; }
+
+  [[nodiscard]] double at(double t) const {
+    double value =
+        polynomial_[0] +
+        t * (polynomial_[1] + t * (polynomial_[2] + t * (polynomial_[3] + t * polynomial_[4])));
+    for (int k = 0; k < roots_; ++k) value -= root_[static_cast<std::size_t>(k)].at(t);
+    return value;
+  }
+  [[nodiscard]] double slope(double t) const {
+    double value = polynomial_[1] + t * (2.0 * polynomial_[2] +
+                                         t * (3.0 * polynomial_[3] + t * (4.0 * polynomial_[4])));
+    for (int k = 0; k < roots_; ++k) value -= root_[static_cast<std::size_t>(k)].slope(t);
+    return value;
+  }
+
+  /// A time in (0, horizon), as late as a few steps find it, up to which G > aim for certain; given
+  /// G(0) > aim and G(horizon) < aim.
+  [[nodiscard]] double safe_until(double horizon, double aim) const;
+
+ private:
+  // sqrt(a0 + 2 a1 t + a2 t^2), the length of an affine vector.
+  struct Root {
+    double a0, a1, a2;
+    [[nodiscard]] double at(double t) const {
+      return std::sqrt(std::max(0.0, a0 + t * (2.0 * a1 + t * a2)));
+    }
+    // To the right, where the length is 0.
+    [[nodiscard]] double slope(double t) const {
+      const double length = at(t);
+      return length > 0.0 ? (a1 + t * a2) / length : std::sqrt(a2);
+    }
+  };
+
+  void add_root(double nn, double nk, double kk, double size, double growth);
+
+  Vec3 normal_, rate_;
+  double normal_length_, rate_length_;
+  std::array<double, 5> polynomial_{};
+  std::array<Root, 4> root_{};
+  int roots_ = 0;
+};
+
+inline PlaneBound::PlaneBound(const MovingPlane& plane, const Vec3& r, const Vec3& v,
+                              double min_gap)
+    : normal_(plane.normal),
+      rate_(plane.rate),
+      normal_length_(norm(plane.normal)),
+      rate_length_(norm(plane.rate)) {
+  polynomial_[0] = dot(normal_, r) - min_gap * normal_length_;
+  polynomial_[1] = dot(normal_, v) + dot(rate_, r);
+  polynomial_[2] =
+      std::min(0.0, dot(rate_, v)) - min_gap * rate_length_ * rate_length_ / (2.0 * normal_length_);
+}
+
+inline void PlaneBound::add_root(double nn, double nk, double kk, double size, double growth) {
+  root_[static_cast<std::size_t>(roots_++)] = {
+      size * size * nn, size * (size * nk + growth * nn),
+      size * size * kk + 2.0 * size * growth * nk + growth * growth * nn};
+}
+
+inline void PlaneBound::add_body(Form form, const Spin& spin, const Pose& pose, double semi_second,
+                                 double reach, double size, double growth) {
+  const auto add_ball = [&](double radius) {
+    const double bend = rate_length_ * rate_length_ / (2.0 * normal_length_);
+    polynomial_[0] -= radius * size * normal_length_;
+    polynomial_[1] -= radius * growth * normal_length_;
+    polynomial_[2] -= radius * size * bend;
+    polynomial_[3] -= radius * growth * bend;
+  };
+  if (form == Form::ball) return add_ball(spin.lateral);
+
+  const Vec3 across = cross(normal_, spin.angular);
+  const Vec3 k = rate_ + across;
+  const double turn = norm(spin.angular);
+  const double second = turn * (0.5 * norm(across) + rate_length_);
+  const double third = 0.5 * rate_length_ * turn * turn;
+  polynomial_[2] -= reach * (growth * norm(k) + size * second);
+  polynomial_[3] -= reach * (growth * second + size * third);
+  polynomial_[4] -= reach * growth * third;
+
+  const double n_axial = dot(normal_, pose.axis), k_axial = dot(k, pose.axis);
+  const Vec3 n_flat = normal_ - n_axial * pose.axis, k_flat = k - k_axial * pose.axis;
+  const double axial_sq = spin.axial * spin.axial, lateral_sq = spin.lateral * spin.lateral;
+  const auto along = [&](double n_part, double k_part, double semi_sq) {
+    return std::array<double, 3>{semi_sq * n_part * n_part, semi_sq * n_part * k_part,
+                                 semi_sq * k_part * k_part};
+  };
+  const std::array<double, 3> flat{norm_sq(n_flat), dot(n_flat, k_flat), norm_sq(k_flat)};
+  std::array<double, 3> q = along(n_axial, k_axial, axial_sq);
+  switch (form) {
+    case Form::ball:
+      break;
+    case Form::spheroid:
+      add_root(q[0] + lateral_sq * flat[0], q[1] + lateral_sq * flat[1],
+               q[2] + lateral_sq * flat[2], size, growth);
+      break;
+    case Form::scalene: {
+      const Vec3 last = cross(pose.axis, pose.second);
+      const auto b =
+          along(dot(normal_, pose.second), dot(k, pose.second), semi_second * semi_second);
+      const auto c = along(dot(normal_, last), dot(k, last), lateral_sq);
+      add_root(q[0] + b[0] + c[0], q[1] + b[1] + c[1], q[2] + b[2] + c[2], size, growth);
+      break;
+    }
+    case Form::cylinder:
+      add_root(q[0], q[1], q[2], size, growth);
+      add_root(lateral_sq * flat[0], lateral_sq * flat[1], lateral_sq * flat[2], size, growth);
+      break;
+    case Form::spherocylinder:
+      add_root(q[0], q[1], q[2], size, growth);
+      add_ball(spin.lateral);
+      break;
+  }
+}
+
+inline void PlaneBound::add_revolution(const Spin& spin, const Vec3& axis, double turn,
+                                       double reach, double size, double growth) {
+  const Vec3 k = cross(normal_, spin.angular);
+  const double length = norm(k);
+  polynomial_[2] -= reach * length * (growth + 0.5 * size * turn);
+  polynomial_[3] -= reach * length * (0.5 * growth * turn);
+  const double n_axial = dot(normal_, axis), k_axial = dot(k, axis);
+  const Vec3 n_flat = normal_ - n_axial * axis, k_flat = k - k_axial * axis;
+  const double axial_sq = spin.axial * spin.axial, lateral_sq = spin.lateral * spin.lateral;
+  add_root(axial_sq * n_axial * n_axial + lateral_sq * norm_sq(n_flat),
+           axial_sq * n_axial * k_axial + lateral_sq * dot(n_flat, k_flat),
+           axial_sq * k_axial * k_axial + lateral_sq * norm_sq(k_flat), size, growth);
+}
+
+inline double PlaneBound::safe_until(double horizon, double aim) const {
+  constexpr int kMostRounds = 30;
+  const double start = at(0.0) - aim;
+  double left = 0.0, at_left = start;
+  double right = horizon, at_right = at(horizon) - aim;
+  for (int round = 0; round < kMostRounds; ++round) {
+    // The chord of a concave function lies below it: its zero is on the safe side. The tangent lies
+    // above it: its zero is on the other.
+    const double chord = left + (right - left) * at_left / (at_left - at_right);
+    const double rate = slope(right);
+    const double tangent = rate < 0.0 ? right - at_right / rate : right;
+    if (tangent > left && tangent < right) {
+      right = tangent;
+      at_right = at(right) - aim;
+      if (at_right >= 0.0) return right;
+    }
+    if (chord > left && chord < right) {
+      const double value = at(chord) - aim;
+      if (value >= 0.0) {
+        left = chord;
+        at_left = value;
+      }
+    }
+    const double middle = 0.5 * (left + right);
+    if (left >= 0.95 * right || at_left < 1e-3 * start) break;
+    const double at_middle = at(middle) - aim;
+    if (at_middle >= 0.0) {
+      left = middle;
+      at_left = at_middle;
+    } else {
+      right = middle;
+      at_right = at_middle;
+    }
+  }
+  return left;
+}
+
+}  // namespace packstone::event_driven

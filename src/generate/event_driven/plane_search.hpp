@@ -1,0 +1,62 @@
+#pragma once
+
+/// @file
+/// Planes between two bodies at one instant: any one that separates them is a proof, the best one
+/// has the gap.
+
+#include "generate/event_driven/bodies.hpp"
+#include "generate/event_driven/plane_bound.hpp"
+
+namespace packstone::event_driven {
+
+/// A body at one instant, at its size then.
+struct PosedBody {
+  Form form = Form::ball;
+  Pose pose;
+  double axial = 0.0, second = 0.0, lateral = 0.0;  ///< [L]
+};
+
+/// `factor` is the size factor.
+[[nodiscard]] PosedBody posed(const Bodies& bodies, std::int32_t i, const Pose& pose,
+                              double factor);
+
+/// The support function [L |n|].
+[[nodiscard]] double support(const PosedBody& body, const Vec3& n);
+
+/// The matrix whose quadratic form is the square of the support function of an ellipsoid, times n,
+/// without the cancellation that its entries bring to flat bodies.
+[[nodiscard]] Vec3 shape_times(const PosedBody& body, const Vec3& n);
+
+/// Smooth and strictly convex, as ellipsoids are.
+[[nodiscard]] constexpr bool is_ellipsoid(Form form) { return form <= Form::scalene; }
+
+/// A plane between two bodies with what rests on it.
+struct Plane {
+  Vec3 normal;   ///< From a to b, not unit.
+  Vec3 point_a;  ///< Where a comes nearest, relative to its center [L].
+  Vec3 point_b;  ///< Where b does, relative to its own [L].
+};
+
+/// How well a plane is to be found.
+enum class Effort {
+  step,   ///< From the plane that is known, as well as the next stretch of time needs it.
+  touch,  ///< As well as the contact of touching bodies needs it; with the points.
+};
+
+/// From a plane that is known (0: none) to a better one. r from the center of a to that of b.
+[[nodiscard]] Plane find_plane(const PosedBody& a, const PosedBody& b, const Vec3& r,
+                               double min_gap, const Vec3& known, Effort effort);
+
+/// Where the body comes nearest to a plane with unit normal n, relative to its center [L]; the
+/// middle of a side that rests on it.
+[[nodiscard]] Vec3 support_point(const PosedBody& body, const Vec3& n);
+
+/// How the normal has to turn so that the plane stays with the edges and flat sides that it rests
+/// on: across `normal`; 0 where both bodies are smooth there.
+[[nodiscard]] Vec3 normal_rate(const PosedBody& a, const PosedBody& b, const Vec3& angular_a,
+                               const Vec3& angular_b, const Vec3& normal);
+
+/// A lower bound on the gap, from a few planes [L].
+[[nodiscard]] double gap_bound(const PosedBody& a, const PosedBody& b, const Vec3& r);
+
+}  // namespace packstone::event_driven

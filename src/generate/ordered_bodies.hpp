@@ -1,0 +1,27 @@
+#pragma once
+
+/// @file
+/// What every generator asks of the bodies that it is to place.
+
+#include <cstdint>
+#include <vector>
+
+#include "packstone/core/cell.hpp"
+#include "packstone/structure/inclusion_mix.hpp"
+#include "packstone/structure/standing.hpp"
+
+namespace packstone {
+
+/// Throws InvalidArgument unless `ordered` is a body of the kind of this cell. `k` is its number in
+/// the order.
+void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k);
+
+/// Throws InvalidArgument unless the body may stand in the cell alone.
+void check_alone(const Cell& cell, const OrderedBody& ordered, std::int64_t k, double min_gap,
+                 Turn turn);
+
+/// Throws InvalidArgument, "RsaOptions::min_gap is ...", when no inclusions can keep it. `options`
+/// is the name of the options that hold it.
+void check_min_gap(const Cell& cell, double min_gap, const char* options);
+
+}  // namespace packstone
