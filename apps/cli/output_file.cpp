@@ -19,10 +19,11 @@ void check_output_path(const std::filesystem::path& path) {
   check_writable(path);
 }
 
-void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings) {
+void check_output_file(const std::filesystem::path& path, const std::vector<std::string>& endings,
+                       const std::string& option) {
   const std::string ending = path.extension().string();
   if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
-    throw InvalidArgument(fmt::format("-o {}: {}; allowed is {}{}", path.string(),
+    throw InvalidArgument(fmt::format("{} {}: {}; allowed is {}{}", option, path.string(),
                                       ending.empty() ? "no ending" : "unknown ending " + ending,
                                       endings.size() > 1 ? "one of " : "",
                                       fmt::join(endings, ", ")));

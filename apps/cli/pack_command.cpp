@@ -1,23 +1,30 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "output_file.hpp"
 #include "packstone/core/error.hpp"
+#include "packstone/io/checkpoint_file.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "packstone/recipe/pack.hpp"
 #include "packstone/recipe/recipe.hpp"
 #include "progress_printer.hpp"
+#include "realizations.hpp"
 #include "summary.hpp"
+#include "timeline.hpp"
 
 namespace packstone::cli {
 namespace {
+
+constexpr std::int64_t kMostRealizations = 1'000'000;
 
 struct PackArguments {
   std::string recipe;
@@ -25,9 +32,19 @@ struct PackArguments {
   std::optional<std::uint64_t> seed;
   std::string time_limit;
   std::vector<std::string> overrides;
+  std::string timeline;
+  std::string checkpoint;
+  std::string resume;
+  std::optional<std::int64_t> realizations;
   int threads = 0;
   bool quiet = false;
   bool json = false;
+};
+
+// What is to be packed, from the start or from where a checkpoint left it.
+struct Job {
+  Recipe recipe;
+  std::optional<MovingPacking> checkpoint;
 };
 
 std::filesystem::path output_of(const PackArguments& arguments) {
@@ -41,20 +58,55 @@ std::filesystem::path output_of(const PackArguments& arguments) {
   return recipe.stem().string() + ".json";
 }
 
-Recipe recipe_of(const PackArguments& arguments) {
-  Recipe recipe = read_recipe(arguments.recipe, arguments.overrides);
-  if (arguments.seed) recipe.seed = *arguments.seed;
-  if (!arguments.time_limit.empty()) recipe.time_limit = seconds_in(arguments.time_limit);
-  return recipe;
+Job job_of(const PackArguments& arguments) {
+  Job job;
+  if (arguments.resume.empty()) {
+    job.recipe = read_recipe(arguments.recipe, arguments.overrides);
+  } else {
+    job.checkpoint = read_checkpoint(arguments.resume);
+    job.recipe = recipe_of_packing(job.checkpoint->packing, arguments.resume, arguments.overrides);
+  }
+  if (arguments.seed) job.recipe.seed = *arguments.seed;
+  if (!arguments.time_limit.empty()) job.recipe.time_limit = seconds_in(arguments.time_limit);
+  return job;
 }
 
-PackOutcome pack_with_progress(const Recipe& recipe, const PackArguments& arguments) {
+void check_files(const PackArguments& arguments, const std::filesystem::path& output) {
+  check_output_file(output, {".json", ".h5"});
+  if (!arguments.timeline.empty()) check_output_file(arguments.timeline, {".csv"}, "--timeline");
+  if (arguments.checkpoint.empty()) return;
+  check_output_file(arguments.checkpoint, {".h5"}, "--checkpoint");
+  if (output == arguments.checkpoint) {
+    throw InvalidArgument("--checkpoint " + arguments.checkpoint +
+                          ": -o names the same file; allowed is another one");
+  }
+}
+
+// A disk that is full for a while must not end the work: the next checkpoint may be written again.
+Checkpointing checkpointing_of(const PackArguments& arguments) {
+  if (arguments.checkpoint.empty()) return {};
+  return {.write = [&path = arguments.checkpoint](const MovingPacking& state) {
+    try {
+      write_checkpoint(path, state);
+    } catch (const FileError& error) {
+      fmt::print(stderr, "packstone: {}; no checkpoint this time\n", error.what());
+    }
+  }};
+}
+
+PackOutcome run_job(Job job, const RunContext& run, const Checkpointing& checkpointing) {
+  if (!job.checkpoint) return pack(job.recipe, run, checkpointing);
+  return resume_pack(job.recipe, std::move(*job.checkpoint), run, checkpointing);
+}
+
+PackOutcome pack_with_progress(Job job, const PackArguments& arguments) {
   RunContext run;
   run.cancel_flag(&interrupt_flag()).threads(arguments.threads);
-  if (arguments.quiet) return pack(recipe, run);
+  const Checkpointing checkpointing = checkpointing_of(arguments);
+  if (arguments.quiet) return run_job(std::move(job), run, checkpointing);
   ProgressPrinter printer;
   run.on_progress([&printer](const Progress& progress) { printer.print(progress); });
-  return pack(recipe, run);
+  return run_job(std::move(job), run, checkpointing);
 }
 
 int exit_code_of(const PackOutcome& outcome) {
@@ -74,14 +126,37 @@ void print_outcome(const PackOutcome& outcome, const PackArguments& arguments,
   }
 }
 
-int run_pack(const PackArguments& arguments) {
-  if (std::filesystem::is_directory(arguments.recipe)) {
-    throw FileError("cannot read " + arguments.recipe + ": it is a folder, not a recipe");
+// Methods that move nothing have neither.
+void say_what_is_not_there(const PackOutcome& outcome, const PackArguments& arguments) {
+  if (outcome.motion) return;
+  for (const auto& [option, file] : {std::pair("--timeline", &arguments.timeline),
+                                     std::pair("--checkpoint", &arguments.checkpoint)}) {
+    if (file->empty()) continue;
+    fmt::print(stderr, "packstone: {} {}: not written; the method {} moves nothing\n", option,
+               *file, outcome.method);
   }
-  const std::filesystem::path output = output_of(arguments);
-  check_output_file(output, {".json", ".h5"});
-  const Recipe recipe = recipe_of(arguments);
-  const PackOutcome outcome = pack_with_progress(recipe, arguments);
+}
+
+void write_files(const PackOutcome& outcome, const PackArguments& arguments,
+                 const std::filesystem::path& output) {
+  write_packing(output, outcome.packing);
+  if (outcome.motion && !arguments.timeline.empty()) {
+    write_atomically(arguments.timeline, timeline_csv(outcome.motion->history));
+  }
+}
+
+void print_shortfall(const PackOutcome& outcome, const PackArguments& arguments,
+                     const std::string& output) {
+  fmt::print(stderr, "packstone: {}\n  the best valid packing is in {}\n", shortfall_text(outcome),
+             output);
+  const bool halted = outcome.stop == "cancelled" || outcome.stop == "out_of_time";
+  if (!halted || !outcome.motion || arguments.checkpoint.empty()) return;
+  fmt::print(stderr, "  go on with: packstone pack --resume {} -o {}\n", arguments.checkpoint,
+             output);
+}
+
+int run_one(const PackArguments& arguments, const std::filesystem::path& output) {
+  const PackOutcome outcome = pack_with_progress(job_of(arguments), arguments);
   if (outcome.stop == "check_failed") {
     print_outcome(outcome, arguments, "");
     fmt::print(stderr, "packstone: {}\n  nothing was written; please report this as a defect\n",
@@ -89,17 +164,47 @@ int run_pack(const PackArguments& arguments) {
     return kHonestNo;
   }
   try {
-    write_packing(output, outcome.packing);
+    write_files(outcome, arguments, output);
   } catch (const FileError& error) {
     fmt::print(stderr, "packstone: {}\n", error.what());
     return kHonestNo;
   }
   print_outcome(outcome, arguments, output.string());
-  if (!outcome.target_reached) {
-    fmt::print(stderr, "packstone: {}\n  the best valid packing is in {}\n",
-               shortfall_text(outcome), output.string());
-  }
+  say_what_is_not_there(outcome, arguments);
+  if (!outcome.target_reached) print_shortfall(outcome, arguments, output.string());
   return exit_code_of(outcome);
+}
+
+// Options that make no sense together.
+void check_combination(const PackArguments& arguments) {
+  const auto refuse = [](bool both, const std::string& one, const std::string& other) {
+    if (both) throw InvalidArgument(one + " and " + other + " exclude each other");
+  };
+  const bool resumes = !arguments.resume.empty();
+  const bool several = arguments.realizations.has_value();
+  if (arguments.recipe.empty() && !resumes) {
+    throw InvalidArgument("RECIPE is missing\n  see packstone pack --help");
+  }
+  refuse(resumes && !arguments.recipe.empty(), "--resume", "RECIPE");
+  refuse(resumes && arguments.seed.has_value(), "--resume", "--seed");
+  refuse(resumes && several, "--resume", "--realizations");
+  refuse(several && !arguments.timeline.empty(), "--realizations", "--timeline");
+  refuse(several && !arguments.checkpoint.empty(), "--realizations", "--checkpoint");
+}
+
+int run_pack(const PackArguments& arguments) {
+  check_combination(arguments);
+  if (std::filesystem::is_directory(arguments.recipe)) {
+    throw FileError("cannot read " + arguments.recipe + ": it is a folder, not a recipe");
+  }
+  const std::filesystem::path output = output_of(arguments);
+  check_files(arguments, output);
+  if (!arguments.realizations) return run_one(arguments, output);
+  return pack_realizations(job_of(arguments).recipe, {.count = *arguments.realizations,
+                                                      .output = output,
+                                                      .threads = arguments.threads,
+                                                      .quiet = arguments.quiet,
+                                                      .json = arguments.json});
 }
 
 std::string check_time(const std::string& text) {
@@ -108,14 +213,26 @@ std::string check_time(const std::string& text) {
              : text + "; allowed is a time > 0 such as \"30 s\", \"10 min\", \"1.5 h\"";
 }
 
+void add_long_work(CLI::App& command, PackArguments& arguments) {
+  command.add_option("--timeline", arguments.timeline, "Write the history of bodies that move")
+      ->type_name("FILE.csv");
+  command
+      .add_option("--checkpoint", arguments.checkpoint, "Keep, each minute, a state to go on from")
+      ->type_name("FILE.h5");
+  command.add_option("--resume", arguments.resume, "Go on from a checkpoint instead of RECIPE")
+      ->type_name("FILE.h5");
+  command.add_option("--realizations", arguments.realizations, "K packings: seeds N, N + 1, ...")
+      ->type_name("K")
+      ->check(CLI::Range(std::int64_t{1}, kMostRealizations).description(""));
+}
+
 }  // namespace
 
 void add_pack(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<PackArguments>();
   CLI::App* command = app.add_subcommand("pack", "Make the packing that a recipe orders");
   command->add_option("RECIPE", arguments->recipe, "Recipe (.toml), or a packing to make again")
-      ->type_name("")
-      ->required();
+      ->type_name("");
   command->add_option("-o,--output", arguments->output, "Packing to write [RECIPE's name, .json]")
       ->type_name("FILE.json|.h5");
   command->add_option("--seed", arguments->seed, "Instead of packing.seed")
@@ -130,12 +247,12 @@ void add_pack(CLI::App& app, int& exit_code) {
                    "Then keep what is valid: \"30 s\", \"10 min\"")
       ->type_name("TIME")
       ->check(CLI::Validator(check_time, ""));
+  add_long_work(*command, *arguments);
   add_threads(*command, arguments->threads);
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
   command->add_flag("--json", arguments->json, "Summary as one JSON object");
   command->footer(
-      "--set takes keys as in the recipe, and groups by name or number:\n"
-      "  --set inclusions.fibers.count=20 --set 'inclusions[0].fraction=0.1'\n\n"
+      "Keys of --set are those of the recipe, such as inclusions.fibers.count=20\n\n"
       "Example: packstone pack fibers.toml -o fibers.json --seed 7");
   command->callback([arguments, &exit_code] { exit_code = run_pack(*arguments); });
 }

@@ -42,6 +42,7 @@ Json group_json(const GroupOutcome& group) {
             {"fraction_ordered", value_or_null(group.ordered_fraction)}};
   if (!group.tensor && !group.ordered_tensor) return text;
   text["orientation"] = {{"redrawn", group.redrawn},
+                         {"turned", group.turned},
                          {"tensor", tensor_json(group.tensor)},
                          {"tensor_ordered", tensor_json(group.ordered_tensor)}};
   if (!group.order) return text;
@@ -75,29 +76,84 @@ std::string order_text(const GroupOutcome& group) {
          against_chance_text(group.order->rho, group.random_order->rho, 4) + "\n";
 }
 
-std::string group_text(const GroupOutcome& group, std::size_t width) {
-  std::string text = fmt::format("  {:<{}}  {}", group.name, width, group.count);
-  if (group.ordered_count) text += fmt::format(" of {}", *group.ordered_count);
-  text += fmt::format(", fraction {:.6g}", group.fraction);
-  if (group.ordered_fraction && group.count < group.ordered_count.value_or(0)) {
-    text += fmt::format(" of {:.6g}", *group.ordered_fraction);
-  }
-  text += "\n" + order_text(group);
-  if (!group.redrawn || !group.tensor) return text;
-  text += "    orientations were redrawn with the trials, which favors those that fit:\n";
+// How far the orientations went from those drawn, where the method changed them.
+std::string changes_text(const GroupOutcome& group) {
+  if (!(group.redrawn || group.turned) || !group.tensor) return "";
+  std::string text = group.redrawn
+                         ? "    orientations were redrawn with the trials, which favors those that "
+                           "fit:\n"
+                         : "    orientations were changed by the collisions:\n";
   if (group.ordered_tensor) {
     text += "      <uu> as drawn  " + tensor_text(*group.ordered_tensor) + "\n";
   }
   return text + "      <uu> reached   " + tensor_text(*group.tensor) + "\n";
 }
 
+// By count, or by the size of those that stand. Sums of many volumes round.
+bool falls_short(const GroupOutcome& group) {
+  constexpr double kRounding = 1e-9;
+  if (!group.ordered_fraction) return false;
+  return group.count < group.ordered_count.value_or(0) ||
+         group.fraction < *group.ordered_fraction * (1.0 - kRounding);
+}
+
+std::string group_text(const GroupOutcome& group, std::size_t width) {
+  std::string text = fmt::format("  {:<{}}  {}", group.name, width, group.count);
+  if (group.ordered_count) text += fmt::format(" of {}", *group.ordered_count);
+  text += fmt::format(", fraction {:.6g}", group.fraction);
+  if (falls_short(group)) text += fmt::format(" of {:.6g}", *group.ordered_fraction);
+  return text + "\n" + order_text(group) + changes_text(group);
+}
+
 std::string stop_words(const std::string& stop) {
   if (stop == "saturated") return "proven: the next inclusion fits nowhere";
   if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
+  if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
+  if (stop == "stagnated") return "stagnated by the published criterion";
   if (stop == "cancelled") return "interrupted";
   if (stop == "out_of_time") return "the time limit passed";
   if (stop == "check_failed") return "the independent check did not pass";
   return stop;
+}
+
+Json motion_json(const std::optional<MotionOutcome>& motion) {
+  if (!motion) return nullptr;
+  const EventDrivenReport& report = motion->report;
+  return {{"size_factor", motion->size_factor},
+          {"collisions", report.collisions},
+          {"wall_collisions", report.wall_collisions},
+          {"predictions", report.predictions},
+          {"searches", report.searches},
+          {"steps", report.steps},
+          {"neighbor_searches", report.neighbor_searches},
+          {"blocks", report.blocks},
+          {"most_negative_gap", finite_or_null(report.most_negative_gap)},
+          {"energy_drift", finite_or_null(report.energy_drift)},
+          {"reduced_pressure", finite_or_null(report.reduced_pressure)},
+          {"growth_rate", report.growth_rate}};
+}
+
+std::string sizes_text(const MotionOutcome& motion) {
+  return fmt::format("sizes are {:.6g} of those ordered", motion.size_factor);
+}
+
+// What the method did: positions tried, or collisions.
+std::string work_text(const PackOutcome& outcome) {
+  if (!outcome.motion) {
+    return fmt::format("{} trials, {} restarts", outcome.trials, outcome.restarts);
+  }
+  const EventDrivenReport& report = outcome.motion->report;
+  std::string text = fmt::format("{} collisions, reduced pressure {}", report.collisions,
+                                 rounded(report.reduced_pressure, 4));
+  if (report.growth_rate > 0.0) {
+    text += ", growth rate " + rounded(report.growth_rate, 3);
+  } else {
+    text += ", energy drift " + rounded(report.energy_drift, 3);
+  }
+  if (report.most_negative_gap < 0.0) {
+    text += ", deepest overlap seen " + rounded(-report.most_negative_gap, 3);
+  }
+  return text;
 }
 
 std::string worst_text(const Certificate& c) {
@@ -153,6 +209,7 @@ Json outcome_json(const PackOutcome& outcome) {
             {"seconds", outcome.seconds},
             {"trials", outcome.trials},
             {"restarts", outcome.restarts},
+            {"motion", motion_json(outcome.motion)},
             {"groups", groups},
             {"derived", outcome.derived}};
   text["certificate"] = certificate_json(*outcome.packing.certificate);
@@ -191,8 +248,11 @@ std::string outcome_text(const PackOutcome& outcome) {
   for (const GroupOutcome& group : outcome.groups) text += group_text(group, width);
   for (const std::string& sentence : outcome.derived) text += "  " + sentence + "\n";
   const Certificate& c = *outcome.packing.certificate;
-  text += fmt::format("  {} ({}), {} trials, {} restarts, {:.3g} s\n", outcome.method,
-                      outcome.method_reason, outcome.trials, outcome.restarts, outcome.seconds);
+  if (outcome.motion && outcome.motion->size_factor != 1.0) {
+    text += "  " + sizes_text(*outcome.motion) + "\n";
+  }
+  text += fmt::format("  {} ({}), {}, {:.3g} s\n", outcome.method, outcome.method_reason,
+                      work_text(outcome), outcome.seconds);
   if (outcome.stop != "target_reached") text += "  ended: " + stop_words(outcome.stop) + "\n";
   text += fmt::format("  {}, fraction {:.6g}, smallest gap {}{}\n",
                       c.passed() ? "certified: no overlap" : "NOT CERTIFIED", c.fraction,
@@ -200,17 +260,34 @@ std::string outcome_text(const PackOutcome& outcome) {
   return text;
 }
 
+std::string outcome_line(const PackOutcome& outcome) {
+  const Certificate& c = *outcome.packing.certificate;
+  std::string text = fmt::format("{} inclusions, fraction {:.6g}, smallest gap {}", c.count,
+                                 c.fraction, gap_text(c));
+  if (outcome.motion && outcome.motion->size_factor != 1.0) {
+    text += ", " + sizes_text(*outcome.motion);
+  }
+  return text + fmt::format(", {}, {}, {:.3g} s", outcome.method, outcome.stop, outcome.seconds);
+}
+
 std::string shortfall_text(const PackOutcome& outcome) {
   std::string text = "target not reached: " + stop_words(outcome.stop);
+  if (outcome.motion && outcome.motion->size_factor != 1.0) {
+    text += "; " + sizes_text(*outcome.motion);
+  }
   for (const GroupOutcome& group : outcome.groups) {
-    if (!group.ordered_count || group.count >= *group.ordered_count) continue;
+    if (!falls_short(group)) continue;
     text += fmt::format("; {}: {} of {}, fraction {:.4g} of {:.4g}", group.name, group.count,
                         *group.ordered_count, group.fraction, *group.ordered_fraction);
   }
   if (outcome.stop == "saturated" || outcome.stop == "given_up") {
     text +=
         "\n  rsa never moves what it placed, so it jams early (equal spheres near 0.38): "
-        "order a smaller fraction";
+        "order a smaller fraction, or method = \"event-driven\"";
+  } else if (outcome.stop == "jammed") {
+    text +=
+        "\n  slower growth packs denser (packing.event-driven.growth_rate), as may another --seed; "
+        "or order a smaller fraction";
   } else if (outcome.stop == "out_of_time") {
     text += "\n  allow more time (--time-limit), try another --seed, or order a smaller fraction";
   }

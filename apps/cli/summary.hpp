@@ -22,6 +22,8 @@ namespace packstone::cli {
                                            const std::optional<WallCrossing>& crossing);
 /// Groups, what was derived, method, and the verdict.
 [[nodiscard]] std::string outcome_text(const PackOutcome& outcome);
+/// The same on one line: counts, fraction, why it stopped.
+[[nodiscard]] std::string outcome_line(const PackOutcome& outcome);
 /// Why the target was not reached and what is missing, with advice.
 [[nodiscard]] std::string shortfall_text(const PackOutcome& outcome);
 

@@ -38,14 +38,6 @@ Hdf5Handle simple_space(const std::vector<hsize_t>& sizes) {
 
 Hdf5Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose, "a new dataspace"}; }
 
-Hdf5Handle text_type(std::size_t bytes, H5T_cset_t characters) {
-  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a new type");
-  check_hdf5(H5Tset_size(type, bytes), "size of a text type");
-  check_hdf5(H5Tset_strpad(type, H5T_STR_NULLPAD), "padding of a text type");
-  check_hdf5(H5Tset_cset(type, characters), "characters of a text type");
-  return type;
-}
-
 Hdf5Handle open_or_create(hid_t parent, const std::string& name) {
   if (name.empty()) return {H5Gopen2(parent, "/", H5P_DEFAULT), H5Gclose, "/"};
   const Hdf5Handle properties = timeless(H5P_GROUP_CREATE);
@@ -124,6 +116,14 @@ void refuse_variable_text(hid_t type, const std::string& what) {
   refuse(what, "must be text of fixed length (numpy type S), not of variable length");
 }
 
+Hdf5Handle text_type(std::size_t bytes, H5T_cset_t characters) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a new type");
+  check_hdf5(H5Tset_size(type, bytes), "size of a text type");
+  check_hdf5(H5Tset_strpad(type, H5T_STR_NULLPAD), "padding of a text type");
+  check_hdf5(H5Tset_cset(type, characters), "characters of a text type");
+  return type;
+}
+
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : name.empty() ? folder : folder + "/" + name;
 }
@@ -187,8 +187,6 @@ void Hdf5Folder::scalar(const char* name, const std::string& value) {
   write_text(name, scalar_space(), {value});
 }
 
-// Text of fixed length, filled up with zero bytes: unlike text of variable length it lies in one
-// piece, and readers in all languages know it.
 void Hdf5Folder::write_text(const char* name, hid_t space, const std::vector<std::string>& values) {
   std::size_t bytes = 1;
   for (const std::string& value : values) bytes = std::max(bytes, value.size());

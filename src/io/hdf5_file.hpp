@@ -60,6 +60,10 @@ void check_hdf5(herr_t status, const std::string& what);
 /// forever on some damaged files: InvalidArgument before anything is read.
 void refuse_variable_text(hid_t type, const std::string& what);
 
+/// Text of `bytes` bytes, filled up with zero bytes: unlike text of variable length it lies in one
+/// piece, and readers in all languages know it.
+[[nodiscard]] Hdf5Handle text_type(std::size_t bytes, H5T_cset_t characters);
+
 /// "/cell" and "size" make "cell/size"; "" stands for the root.
 [[nodiscard]] std::string joined(const std::string& folder, const std::string& name);
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "io/hdf5_file.hpp"
 #include "packstone/structure/packing.hpp"
 
 namespace packstone {
@@ -19,7 +20,9 @@ namespace packstone {
 /// Throws FileError, or InvalidArgument as write_packing().
 void write_packing_hdf5(const std::filesystem::path& path, const Packing& packing);
 
-/// Writes to `path` as it stands, inside a session of the caller. Throws InvalidArgument.
-void write_hdf5_here(const std::filesystem::path& path, const Packing& packing);
+/// The members of a packing below the root of a file, unchecked: other files hold a packing among
+/// other things. Throw InvalidArgument.
+void write_packing_members(hid_t root, const Packing& packing);
+[[nodiscard]] Packing read_packing_members(Hdf5Fields& fields);
 
 }  // namespace packstone

@@ -1,12 +1,7 @@
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <new>
-#include <optional>
-#include <string_view>
-#include <system_error>
 
+#include "io/hdf5_document.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/inclusion_record.hpp"
 #include "io/isolated.hpp"
@@ -16,45 +11,6 @@
 
 namespace packstone {
 namespace {
-
-Hdf5Handle open_attribute(hid_t root, const char* name) {
-  if (H5Aexists(root, name) <= 0) {
-    throw InvalidArgument(std::string("attribute '") + name + "' is missing: not a packing file");
-  }
-  return {H5Aopen(root, name, H5P_DEFAULT), H5Aclose, name};
-}
-
-void expect_single(const Hdf5Handle& attribute, const char* name) {
-  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose, name);
-  if (H5Sget_simple_extent_npoints(space) != 1) {
-    throw InvalidArgument(std::string("attribute '") + name + "' must be a single value");
-  }
-}
-
-std::string read_text_attribute(hid_t root, const char* name) {
-  const Hdf5Handle attribute = open_attribute(root, name);
-  expect_single(attribute, name);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, name);
-  constexpr std::size_t kLongest = 4096;
-  if (H5Tget_class(type) != H5T_STRING || H5Tget_size(type) > kLongest) {
-    throw InvalidArgument(std::string("attribute '") + name + "' must be a short text");
-  }
-  refuse_variable_text(type, name);
-  std::string text(H5Tget_size(type), '\0');
-  check_hdf5(H5Aread(attribute, type, text.data()), name);
-  return text.substr(0, text.find_last_not_of('\0') + 1);
-}
-
-void check_attributes(hid_t root) {
-  check_format(read_text_attribute(root, "format"));
-  const Hdf5Handle attribute = open_attribute(root, "version");
-  expect_single(attribute, "version");
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, "version");
-  if (H5Tget_class(type) != H5T_INTEGER) throw InvalidArgument("version: must be an integer");
-  int version = 0;
-  check_hdf5(H5Aread(attribute, H5T_NATIVE_INT, &version), "version");
-  check_version(version);
-}
 
 Cell read_cell(Hdf5Fields fields) {
   const std::vector<double> size = fields.numbers("size");
@@ -182,30 +138,8 @@ Provenance read_provenance(Hdf5Fields fields) {
 }
 
 Packing read_file(const std::filesystem::path& path) {
-  const std::uint64_t bytes = std::filesystem::file_size(path);
-  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                        "cannot be read as HDF5");
-  const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "/");
-  check_attributes(root);
-  Hdf5Fields fields(file, "", bytes);
-  Packing packing;
-  packing.cell = read_cell(fields.folder("cell"));
-  packing.groups = fields.texts("groups");
-  packing.inclusions = read_inclusions(fields.folder("inclusions"), packing.cell.dimension);
-  if (fields.has("certificate"))
-    packing.certificate = read_certificate(fields.folder("certificate"));
-  if (fields.has("provenance")) packing.provenance = read_provenance(fields.folder("provenance"));
-  fields.finish();
-  return packing;
-}
-
-// Format 2 and 3 of the superblock came with checksums for all metadata. The signature stands at
-// the start of the file, or after a block of the user's.
-bool has_checksums(const std::filesystem::path& path) {
-  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
-  char start[kSignature.size() + 1] = {};
-  std::ifstream(path, std::ios::binary).read(start, sizeof start);
-  return std::string_view(start, kSignature.size()) == kSignature && start[kSignature.size()] >= 2;
+  return read_hdf5_here(path, kPackingFormat,
+                        [](Hdf5Fields& fields) { return read_packing_members(fields); });
 }
 
 // Another process reads the file and writes it anew; that is what is read here.
@@ -219,39 +153,41 @@ Packing read_isolated(const std::filesystem::path& path) {
   run_isolated(limit, [&] {
     const Packing packing = read_file(path);
     check_storable(packing);
-    write_hdf5_here(copy.path(), packing);
+    write_hdf5_here(copy.path(), kPackingFormat,
+                    [&](hid_t root) { write_packing_members(root, packing); });
   });
   return read_file(copy.path());
 }
 
-// What `read` returns; its complaints name the file.
-template <class Read>
-Packing checked(const std::filesystem::path& path, Read read) {
-  try {
-    Packing packing = read();
-    check_storable(packing);
-    return packing;
-  } catch (const InvalidArgument& problem) {
-    throw FileError(path.string() + ": " + problem.what());
-  } catch (const std::filesystem::filesystem_error& problem) {
-    throw FileError(path.string() + ": cannot be read: " + problem.code().message());
-  } catch (const std::bad_alloc&) {
-    throw FileError(path.string() + ": holds more than fits into memory");
-  }
-}
-
 }  // namespace
 
+Packing read_packing_members(Hdf5Fields& fields) {
+  Packing packing;
+  packing.cell = read_cell(fields.folder("cell"));
+  packing.groups = fields.texts("groups");
+  packing.inclusions = read_inclusions(fields.folder("inclusions"), packing.cell.dimension);
+  if (fields.has("certificate"))
+    packing.certificate = read_certificate(fields.folder("certificate"));
+  if (fields.has("provenance")) packing.provenance = read_provenance(fields.folder("provenance"));
+  return packing;
+}
+
 Packing read_packing_hdf5_here(const std::filesystem::path& path) {
-  return checked(path, [&] {
+  return naming_file(path, [&] {
     const Hdf5Session session;
-    return read_file(path);
+    Packing packing = read_file(path);
+    check_storable(packing);
+    return packing;
   });
 }
 
 Packing read_packing_hdf5(const std::filesystem::path& path) {
   if (has_checksums(path)) return read_packing_hdf5_here(path);
-  return checked(path, [&] { return read_isolated(path); });
+  return naming_file(path, [&] {
+    Packing packing = read_isolated(path);
+    check_storable(packing);
+    return packing;
+  });
 }
 
 }  // namespace packstone

@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "io/atomic_file.hpp"
+#include "io/hdf5_document.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/inclusion_record.hpp"
 #include "io/packing_hdf5.hpp"
 #include "io/storable.hpp"
-#include "packstone/core/error.hpp"
 
 namespace packstone {
 namespace {
@@ -23,21 +22,6 @@ Hdf5Handle enumeration(const std::vector<std::string>& words) {
     check_hdf5(H5Tenum_insert(type, words[i].c_str(), &value), words[i]);
   }
   return type;
-}
-
-void write_attributes(hid_t root) {
-  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "a new dataspace");
-  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a new type");
-  check_hdf5(H5Tset_size(type, kPackingFormat.size()), "format");
-  check_hdf5(H5Tset_strpad(type, H5T_STR_NULLPAD), "format");
-  check_hdf5(H5Tset_cset(type, H5T_CSET_UTF8), "format");
-  const Hdf5Handle format(H5Acreate2(root, "format", type, space, H5P_DEFAULT, H5P_DEFAULT),
-                          H5Aclose, "format");
-  check_hdf5(H5Awrite(format, type, kPackingFormat.data()), "format");
-  const Hdf5Handle version(
-      H5Acreate2(root, "version", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-      "version");
-  check_hdf5(H5Awrite(version, H5T_NATIVE_INT, &kPackingVersion), "version");
 }
 
 void write_cell(hid_t root, const Cell& cell) {
@@ -138,41 +122,19 @@ void write_provenance(hid_t root, const Provenance& p) {
   folder.scalar("seconds", p.seconds);
 }
 
-// Metadata from library version 1.8 on carries checksums, so that a damaged file is noticed.
-Hdf5Handle create_file(const std::filesystem::path& path) {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "new properties");
-  check_hdf5(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST), "file version");
-  const Hdf5Handle creation = timeless(H5P_FILE_CREATE);
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "cannot be created"};
-}
-
 }  // namespace
 
-void write_hdf5_here(const std::filesystem::path& path, const Packing& packing) {
-  Hdf5Handle file = create_file(path);
-  {
-    Hdf5Folder root(file, "");
-    write_attributes(root.id());
-    write_cell(root.id(), packing.cell);
-    root.column("groups", packing.groups);
-    write_inclusions(root.id(), packing);
-    if (packing.certificate) write_certificate(root.id(), *packing.certificate);
-    if (packing.provenance) write_provenance(root.id(), *packing.provenance);
-  }
-  file.close("writing failed");
+void write_packing_members(hid_t root, const Packing& packing) {
+  write_cell(root, packing.cell);
+  Hdf5Folder(root, "").column("groups", packing.groups);
+  write_inclusions(root, packing);
+  if (packing.certificate) write_certificate(root, *packing.certificate);
+  if (packing.provenance) write_provenance(root, *packing.provenance);
 }
 
 void write_packing_hdf5(const std::filesystem::path& path, const Packing& packing) {
   check_storable(packing);
-  AtomicFile target(path);
-  if (!target.replaces()) throw FileError(path.string() + ": is not a regular file");
-  try {
-    const Hdf5Session session;
-    write_hdf5_here(target.temporary(), packing);
-  } catch (const InvalidArgument& problem) {
-    throw FileError(path.string() + ": " + problem.what());
-  }
-  target.commit();
+  write_hdf5(path, kPackingFormat, [&](hid_t root) { write_packing_members(root, packing); });
 }
 
 }  // namespace packstone

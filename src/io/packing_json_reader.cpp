@@ -236,10 +236,10 @@ class PackingEvents {
     }
     // At once, before the rest of a foreign file gives misleading complaints.
     if (tree.depth() == 1 && tree.current_key() == "format") {
-      check_format(as_text(value, "format"));
+      check_format(as_text(value, "format"), kPackingFormat);
     }
     if (tree.depth() == 1 && tree.current_key() == "version") {
-      check_version(as_integer(value, "version"));
+      check_version(as_integer(value, "version"), kPackingFormat);
     }
     tree.scalar(std::move(value));
     return true;

@@ -146,8 +146,8 @@ std::string packing_to_json(const Packing& packing) {
   JsonText out;
   constexpr std::size_t kTypicalLine = 240;
   out.reserve(4096 + kTypicalLine * packing.inclusions.size());
-  out.raw("{\n  \"format\": \"").raw(kPackingFormat).raw("\",\n  \"version\": ");
-  out.integer(kPackingVersion).raw(",\n");
+  out.raw("{\n  \"format\": \"").raw(kPackingFormat.word).raw("\",\n  \"version\": ");
+  out.integer(kPackingFormat.version).raw(",\n");
   write_cell(out, packing.cell);
   out.raw(",\n  \"groups\": ").list(packing.groups, [&](const auto& name) { out.string(name); });
   out.raw(",\n");

@@ -10,18 +10,6 @@
 namespace packstone {
 namespace {
 
-// JSON text is UTF-8, and HDF5 ends its text at the first zero byte.
-void check_text(const std::string& field, const std::string& text) {
-  if (text.find('\0') != std::string::npos) {
-    throw InvalidArgument(field + " holds a zero byte");
-  }
-  try {
-    static_cast<void>(nlohmann::json(text).dump());
-  } catch (const nlohmann::json::exception&) {
-    throw InvalidArgument(field + " is not UTF-8 text");
-  }
-}
-
 void check_groups(const std::vector<std::string>& groups) {
   std::unordered_set<std::string_view> names;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -87,17 +75,29 @@ void check_provenance(const Provenance& p) {
 
 }  // namespace
 
-void check_format(std::string_view format) {
-  if (format == kPackingFormat) return;
-  throw InvalidArgument("format is '" + std::string(format) + "', not a packing file ('" +
-                        std::string(kPackingFormat) + "')");
+// JSON text is UTF-8, and HDF5 ends its text at the first zero byte.
+void check_text(const std::string& field, const std::string& text) {
+  if (text.find('\0') != std::string::npos) {
+    throw InvalidArgument(field + " holds a zero byte");
+  }
+  try {
+    static_cast<void>(nlohmann::json(text).dump());
+  } catch (const nlohmann::json::exception&) {
+    throw InvalidArgument(field + " is not UTF-8 text");
+  }
 }
 
-void check_version(std::int64_t version) {
-  if (version == kPackingVersion) return;
+void check_format(std::string_view format, const FileFormat& expected) {
+  if (format == expected.word) return;
+  throw InvalidArgument("format is '" + std::string(format) + "', not a " +
+                        std::string(expected.what) + " ('" + std::string(expected.word) + "')");
+}
+
+void check_version(std::int64_t version, const FileFormat& expected) {
+  if (version == expected.version) return;
   throw InvalidArgument("version " + std::to_string(version) +
                         " is unknown; this program reads version " +
-                        std::to_string(kPackingVersion));
+                        std::to_string(expected.version));
 }
 
 Cell stored_cell(const std::vector<double>& size, const std::vector<bool>& periodic) {

@@ -4,6 +4,7 @@
 /// What a packing file can hold: the one definition that all readers and writers share.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,12 +12,22 @@
 
 namespace packstone {
 
-inline constexpr std::string_view kPackingFormat = "packstone-packing";
-inline constexpr int kPackingVersion = 1;
+/// What a file calls itself.
+struct FileFormat {
+  std::string_view word;
+  std::string_view what;  ///< For messages: "packing file".
+  int version = 1;
+};
+
+inline constexpr FileFormat kPackingFormat{"packstone-packing", "packing file", 1};
+inline constexpr FileFormat kCheckpointFormat{"packstone-checkpoint", "checkpoint", 1};
 
 /// Throw InvalidArgument when a file calls itself something else, or is of another version.
-void check_format(std::string_view format);
-void check_version(std::int64_t version);
+void check_format(std::string_view format, const FileFormat& expected);
+void check_version(std::int64_t version, const FileFormat& expected);
+
+/// Throws InvalidArgument naming `field` when `text` is not UTF-8 or holds a zero byte.
+void check_text(const std::string& field, const std::string& text);
 
 /// The cell of a file; InvalidArgument unless there are 2 or 3 sizes and as many flags.
 [[nodiscard]] Cell stored_cell(const std::vector<double>& size, const std::vector<bool>& periodic);

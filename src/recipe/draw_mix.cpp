@@ -4,6 +4,7 @@
 #include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "packstone/structure/images.hpp"
 #include "packstone/structure/standing.hpp"
 
 namespace packstone::recipe {
@@ -47,25 +48,50 @@ void refuse_too_many_to_fill(const Recipe& recipe) {
 }
 
 // The bodies ordered, and the first one of a group of open count, can stand and have room.
-void refuse_impossible(const Recipe& recipe, const InclusionMix& mix) {
-  const std::vector<bool> redrawn = redrawn_groups(recipe);
-  check_standing(recipe.cell, mix.bodies, recipe.min_gap, redrawn);
+void refuse_unplaceable(const Recipe& recipe, const InclusionMix& mix,
+                        const std::vector<bool>& turned) {
+  check_standing(recipe.cell, mix.bodies, recipe.min_gap, turned);
   for (std::size_t g = 0; g < recipe.groups.size(); ++g) {
     if (!mix.open_count[g]) continue;
     const auto first =
         draw_open_group(recipe.cell, recipe.groups[g], static_cast<int>(g), 0, 1, recipe.seed);
-    check_standing(recipe.cell, first, recipe.min_gap, redrawn);
+    check_standing(recipe.cell, first, recipe.min_gap, turned);
   }
   check_room(recipe.cell, mix.bodies, 0.0);
 }
 
-void refuse_too_large_gap(const Recipe& recipe, const InclusionMix& mix) {
+// Bodies that collisions turn may come to lie along any axis; of what meets too many images of
+// itself there the dynamics would see no end.
+void refuse_too_long(const Recipe& recipe, const InclusionMix& mix,
+                     const std::vector<bool>& turned) {
+  std::vector<std::int64_t> count(recipe.groups.size());  // of the bodies of each group so far
+  for (const OrderedBody& ordered : mix.bodies) {
+    const auto g = static_cast<std::size_t>(ordered.group);
+    const double reach = circum_radius(ordered.body);
+    const auto why = why_too_many_own_images(recipe.cell, {reach, reach, reach});
+    if (turned[g] && why) {
+      throw InvalidGroup(
+          "", ordered.group, GroupField::size, "",
+          "inclusion " + std::to_string(count[g]) + " cannot stand in the cell: " + *why);
+    }
+    ++count[g];
+  }
+}
+
+void refuse_too_large_gap(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
   if (recipe.min_gap == 0.0) return;
   try {
-    check_room(recipe.cell, mix.bodies, recipe.min_gap);
+    check_room(recipe.cell, bodies, recipe.min_gap);
   } catch (const InvalidGroup& problem) {
     throw InvalidArgument(place_of(recipe, {"packing.min_gap"}) + problem.why());
   }
+}
+
+// Bodies of which little more than the gaps between them is left.
+std::vector<OrderedBody> nearly_points(std::vector<OrderedBody> bodies) {
+  constexpr double kTiny = 1e-6;
+  for (OrderedBody& b : bodies) b.body = scaled(b.body, kTiny);
+  return bodies;
 }
 
 }  // namespace
@@ -81,6 +107,12 @@ std::string complaint(const Recipe& recipe, const InvalidGroup& problem) {
   }
   keys.push_back(group);
   return place_of(recipe, keys) + problem.why();
+}
+
+std::vector<std::string> group_names(const Recipe& recipe) {
+  std::vector<std::string> names;
+  for (const InclusionGroup& group : recipe.groups) names.push_back(group.name);
+  return names;
 }
 
 std::vector<bool> redrawn_groups(const Recipe& recipe) {
@@ -101,16 +133,44 @@ double saturating_radius(const Recipe& recipe) {
   return circum_radius(draw_open_group(recipe.cell, group, 0, 0, 1, recipe.seed).front().body);
 }
 
+std::vector<bool> fixed_orientations(const Recipe& recipe) {
+  const Rotation rotate = recipe.event_driven.rotate;
+  std::vector<bool> fixed;
+  if (rotate == Rotation::all) return fixed;
+  for (const InclusionGroup& group : recipe.groups) {
+    fixed.push_back(rotate == Rotation::none ||
+                    !std::holds_alternative<RandomOrientation>(group.orientation));
+  }
+  return fixed;
+}
+
+std::vector<bool> turned_groups(const Recipe& recipe, PackMethod method) {
+  if (method == PackMethod::rsa) return redrawn_groups(recipe);
+  const std::vector<bool> fixed = fixed_orientations(recipe);
+  std::vector<bool> turned;
+  for (std::size_t g = 0; g < recipe.groups.size(); ++g) {
+    turned.push_back(!is_round(recipe.groups[g].shape) && (fixed.empty() || !fixed[g]));
+  }
+  return turned;
+}
+
 InclusionMix draw_mix(const Recipe& recipe) {
-  InclusionMix mix = for_recipe(recipe, [&] {
-    InclusionMix drawn =
-        draw_inclusions(recipe.cell, recipe.groups, recipe.seed, limit_of_machine());
-    refuse_impossible(recipe, drawn);
-    refuse_too_many_to_fill(recipe);
-    return drawn;
+  return for_recipe(recipe, [&] {
+    return draw_inclusions(recipe.cell, recipe.groups, recipe.seed, limit_of_machine());
   });
-  refuse_too_large_gap(recipe, mix);
-  return mix;
+}
+
+void refuse_impossible(const Recipe& recipe, const InclusionMix& mix, PackMethod method) {
+  const bool any_size =
+      method == PackMethod::event_driven && recipe.event_driven.goal == EventDrivenGoal::densest;
+  if (any_size) return refuse_too_large_gap(recipe, nearly_points(mix.bodies));
+  for_recipe(recipe, [&] {
+    const std::vector<bool> turned = turned_groups(recipe, method);
+    refuse_unplaceable(recipe, mix, turned);
+    refuse_too_many_to_fill(recipe);
+    if (method == PackMethod::event_driven) refuse_too_long(recipe, mix, turned);
+  });
+  refuse_too_large_gap(recipe, mix.bodies);
 }
 
 }  // namespace packstone::recipe

@@ -12,12 +12,26 @@
 
 namespace packstone::recipe {
 
-/// Draws the bodies and refuses, with file, line, key and value, what cannot be placed: too many
-/// for the memory of this machine, one that cannot stand in the cell, more than there is room for.
+/// Draws the bodies; refuses, with file, line, key and value, too many for the memory of this
+/// machine.
 [[nodiscard]] InclusionMix draw_mix(const Recipe& recipe);
+
+/// Refuses, with file, line, key and value, what `method` cannot place: a body that cannot stand in
+/// the cell, more than there is room for. Where the goal leaves
+/// the sizes open, gaps alone count.
+void refuse_impossible(const Recipe& recipe, const InclusionMix& mix, PackMethod method);
+
+/// The names of the groups, in the order of the recipe.
+[[nodiscard]] std::vector<std::string> group_names(const Recipe& recipe);
 
 /// Per group: whether its orientations are redrawn with the trials. Empty: none are.
 [[nodiscard]] std::vector<bool> redrawn_groups(const Recipe& recipe);
+
+/// Per group: whether event-driven dynamics keeps the orientations drawn. Empty: of none.
+[[nodiscard]] std::vector<bool> fixed_orientations(const Recipe& recipe);
+
+/// Per group: whether `method` changes the orientations drawn. Empty: of none.
+[[nodiscard]] std::vector<bool> turned_groups(const Recipe& recipe, PackMethod method);
 
 /// Radius of the equal spheres or disks that one group alone orders in open number, else 0 [L].
 [[nodiscard]] double saturating_radius(const Recipe& recipe);

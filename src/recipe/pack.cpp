@@ -8,133 +8,17 @@
 #include "packstone/core/error.hpp"
 #include "packstone/core/number_text.hpp"
 #include "packstone/core/version.hpp"
-#include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "packstone/structure/images.hpp"
+#include "recipe/choose_method.hpp"
 #include "recipe/draw_mix.hpp"
+#include "recipe/run_event_driven.hpp"
+#include "recipe/run_rsa.hpp"
 
 namespace packstone {
 namespace {
 
-RsaOptions rsa_options(const Recipe& recipe) {
-  return {.min_gap = recipe.min_gap,
-          .order = recipe.rsa.order,
-          .redraw_orientation = recipe::redrawn_groups(recipe),
-          .max_trials = recipe.rsa.max_trials,
-          .max_restarts = recipe.rsa.max_restarts,
-          .seed = recipe.seed};
-}
-
-// The bodies of the mix, then those of the open group, drawn in blocks.
-class Supply {
- public:
-  Supply(const Recipe& recipe, std::vector<OrderedBody> first, int open_group)
-      : recipe_(recipe), first_(std::move(first)), open_group_(open_group) {}
-
-  OrderedBody operator()(std::int64_t k) {
-    const auto fixed = static_cast<std::int64_t>(first_.size());
-    if (k < fixed) return first_[static_cast<std::size_t>(k)];
-    const std::int64_t block = (k - fixed) / kBlock;
-    if (block != block_) {
-      drawn_ = draw_open_group(recipe_.cell, recipe_.groups[static_cast<std::size_t>(open_group_)],
-                               open_group_, block * kBlock, kBlock, recipe_.seed);
-      block_ = block;
-    }
-    return drawn_[static_cast<std::size_t>((k - fixed) % kBlock)];
-  }
-
- private:
-  static constexpr std::int64_t kBlock = 1024;
-
-  const Recipe& recipe_;
-  std::vector<OrderedBody> first_;
-  int open_group_;
-  std::int64_t block_ = -1;
-  std::vector<OrderedBody> drawn_;
-};
-
-RsaResult run_rsa(const Recipe& recipe, const InclusionMix& mix, const RunContext& run) {
-  const RsaOptions options = rsa_options(recipe);
-  const auto open = std::find(mix.open_count.begin(), mix.open_count.end(), true);
-  if (open == mix.open_count.end()) return rsa_pack(recipe.cell, mix.bodies, options, run);
-  if (const double radius = recipe::saturating_radius(recipe); radius > 0.0) {
-    return rsa_saturate(recipe.cell, radius, options, run);
-  }
-  std::vector<OrderedBody> first = mix.bodies;
-  if (recipe.rsa.order == RsaOrder::largest_first) {
-    std::stable_sort(first.begin(), first.end(), [](const OrderedBody& a, const OrderedBody& b) {
-      return volume(a.body) > volume(b.body);
-    });
-  }
-  const int open_group = static_cast<int>(open - mix.open_count.begin());
-  Supply supply(recipe, std::move(first), open_group);
-  return rsa_fill(
-      recipe.cell, [&supply](std::int64_t k) { return supply(k); }, options, run);
-}
-
-// Sample mean of u u^T per group; bodies are OrderedBody or Inclusion.
-template <class Bodies>
-std::vector<std::optional<SymMat3>> tensors(const Bodies& bodies, std::size_t groups) {
-  std::vector<std::vector<Vec3>> axes(groups);
-  for (const auto& one : bodies) {
-    if (const auto axis = symmetry_axis(one.body)) {
-      axes[static_cast<std::size_t>(one.group)].push_back(*axis);
-    }
-  }
-  std::vector<std::optional<SymMat3>> result(groups);
-  for (std::size_t g = 0; g < groups; ++g) {
-    if (!axes[g].empty()) result[g] = orientation_tensor(axes[g]);
-  }
-  return result;
-}
-
-std::vector<GroupOutcome> compare(const Recipe& recipe, const InclusionMix& mix,
-                                  const Packing& packing) {
-  const std::size_t count = recipe.groups.size();
-  const std::vector<bool> redrawn = recipe::redrawn_groups(recipe);
-  const auto ordered_tensors = tensors(mix.bodies, count);
-  const auto reached_tensors = tensors(packing.inclusions, count);
-  const double space = volume(recipe.cell);
-  std::vector<GroupOutcome> outcomes(count);
-  for (std::size_t g = 0; g < count; ++g) {
-    outcomes[g].name = recipe.groups[g].name;
-    outcomes[g].redrawn = !redrawn.empty() && redrawn[g];
-    outcomes[g].ordered_tensor = ordered_tensors[g];
-    outcomes[g].tensor = reached_tensors[g];
-    if (reached_tensors[g]) {
-      outcomes[g].order = orientation_order(*reached_tensors[g], recipe.cell.dimension);
-    }
-    if (mix.open_count[g]) continue;
-    outcomes[g].ordered_count = 0;
-    outcomes[g].ordered_fraction = 0.0;
-  }
-  for (const OrderedBody& ordered : mix.bodies) {
-    GroupOutcome& outcome = outcomes[static_cast<std::size_t>(ordered.group)];
-    ++*outcome.ordered_count;
-    *outcome.ordered_fraction += volume(ordered.body) / space;
-  }
-  for (const Inclusion& inclusion : packing.inclusions) {
-    GroupOutcome& outcome = outcomes[static_cast<std::size_t>(inclusion.group)];
-    ++outcome.count;
-    outcome.fraction += volume(inclusion.body) / space;
-  }
-  for (GroupOutcome& outcome : outcomes) {
-    // A group is of one shape: all of its inclusions have an axis, or none has.
-    if (outcome.order) outcome.random_order = random_order(outcome.count, recipe.cell.dimension);
-  }
-  return outcomes;
-}
-
-// Whether everything with a count stands, and an open group ended because no more was found to fit.
-bool everything_stands(const std::vector<GroupOutcome>& groups, RsaStop stop) {
-  bool open = false;
-  for (const GroupOutcome& group : groups) {
-    if (group.ordered_count && group.count < *group.ordered_count) return false;
-    open = open || !group.ordered_count;
-  }
-  return !open || stop == RsaStop::saturated || stop == RsaStop::given_up ||
-         stop == RsaStop::target_reached;
-}
+using recipe::MethodChoice;
 
 void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) {
   // Not interrupted: whatever was reached is worth a certificate only when the check is complete.
@@ -167,60 +51,99 @@ void check_recipe(const Recipe& recipe) {
   }
 }
 
-// What the summary says of groups whose saturation cannot be proven.
-std::vector<std::string> limits_of_redrawing(const Recipe& recipe, const InclusionMix& mix) {
-  const std::vector<bool> redrawn = recipe::redrawn_groups(recipe);
-  std::vector<std::string> sentences;
-  for (std::size_t g = 0; g < redrawn.size(); ++g) {
-    const auto unequal = [&](const OrderedBody& b) {
-      const auto* const ellipsoid = std::get_if<Ellipsoid>(&b.body);
-      if (ellipsoid == nullptr || b.group != static_cast<int>(g)) return false;
-      const Vec3& s = ellipsoid->semi_axes;
-      return s.x != s.y && s.y != s.z && s.x != s.z;
-    };
-    if (!redrawn[g] || std::none_of(mix.bodies.begin(), mix.bodies.end(), unequal)) continue;
-    sentences.push_back(recipe.groups[g].name +
-                        ": of redrawn ellipsoids with three different semi-axes none is proven to "
-                        "fit nowhere; one that finds no place is given up after max_trials = " +
-                        std::to_string(recipe.rsa.max_trials));
-  }
-  return sentences;
+// Processor time [s]. With one thread that of the calling thread, beside which others may work.
+double processor_time(int threads) {
+  timespec now{};
+  clock_gettime(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
+
+// One run of a recipe: what was drawn, who is to pack it, and since when.
+class Run {
+ public:
+  Run(const Recipe& recipe, RunContext run, double seconds_before)
+      : recipe_(recipe),
+        threads_(run.threads()),
+        start_(processor_time(threads_) - seconds_before) {
+    recipe::for_recipe(recipe, [&] { check_recipe(recipe); });
+    run_ = within_time(recipe, std::move(run));
+    mix_ = recipe::draw_mix(recipe);
+  }
+
+  PackOutcome from_the_start(const Checkpointing& checkpointing) {
+    choice_ = recipe::for_recipe(recipe_, [&] { return recipe::choose_method(recipe_, mix_); });
+    recipe::refuse_impossible(recipe_, mix_, choice_.method);
+    return recipe::for_recipe(recipe_, [&] {
+      return choice_.method == PackMethod::rsa
+                 ? recipe::run_rsa(recipe_, mix_, run_)
+                 : recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
+    });
+  }
+
+  PackOutcome from(MovingPacking checkpoint, const Checkpointing& checkpointing) {
+    choice_ = {PackMethod::event_driven, "from a checkpoint"};
+    recipe::refuse_impossible(recipe_, mix_, choice_.method);
+    return recipe::for_recipe(recipe_, [&] {
+      return recipe::continue_event_driven(recipe_, mix_, std::move(checkpoint), run_,
+                                           named(checkpointing));
+    });
+  }
+
+  // Adds what does not depend on the method.
+  PackOutcome finish(PackOutcome outcome) const {
+    outcome.packing.groups = recipe::group_names(recipe_);
+    outcome.method = name(choice_.method);
+    outcome.method_reason = choice_.reason;
+    outcome.derived.insert(outcome.derived.begin(), mix_.derived.begin(), mix_.derived.end());
+    outcome.seconds = seconds();
+    certify(recipe_, run_, outcome);
+    outcome.packing.provenance = provenance(outcome.stop, outcome.seconds);
+    return outcome;
+  }
+
+ private:
+  [[nodiscard]] double seconds() const { return processor_time(threads_) - start_; }
+
+  [[nodiscard]] Provenance provenance(const std::string& stop, double seconds_so_far) const {
+    return {.method = std::string(name(choice_.method)),
+            .stop = stop,
+            .version = std::string(version()),
+            .seed = recipe_.seed,
+            .seconds = seconds_so_far,
+            .recipe_json = recipe_to_json(recipe_)};
+  }
+
+  // States on the way leave with the names of their groups and with their origin.
+  [[nodiscard]] Checkpointing named(const Checkpointing& checkpointing) const {
+    if (!checkpointing.write) return checkpointing;
+    return {checkpointing.every_seconds, [&](const MovingPacking& state) {
+              MovingPacking complete = state;
+              complete.packing.groups = recipe::group_names(recipe_);
+              complete.packing.provenance = provenance("checkpoint", seconds());
+              checkpointing.write(complete);
+            }};
+  }
+
+  const Recipe& recipe_;
+  RunContext run_;
+  int threads_;
+  double start_;
+  InclusionMix mix_;
+  MethodChoice choice_;
+};
 
 }  // namespace
 
-PackOutcome pack(const Recipe& recipe, RunContext run) {
-  recipe::for_recipe(recipe, [&] { check_recipe(recipe); });
-  run = within_time(recipe, run);
-  const std::clock_t start = std::clock();
-  const InclusionMix mix = recipe::draw_mix(recipe);
-  RsaResult result = recipe::for_recipe(recipe, [&] { return run_rsa(recipe, mix, run); });
+PackOutcome pack(const Recipe& recipe, RunContext run, const Checkpointing& checkpointing) {
+  Run one(recipe, std::move(run), 0.0);
+  return one.finish(one.from_the_start(checkpointing));
+}
 
-  PackOutcome outcome;
-  outcome.packing = std::move(result.packing);
-  outcome.packing.groups.clear();
-  for (const InclusionGroup& group : recipe.groups) outcome.packing.groups.push_back(group.name);
-  outcome.method = "rsa";
-  outcome.method_reason =
-      recipe.method == PackMethod::rsa ? "as ordered" : "auto: it places every shape";
-  outcome.stop = name(result.stop);
-  outcome.derived = mix.derived;
-  for (std::string& sentence : limits_of_redrawing(recipe, mix)) {
-    outcome.derived.push_back(std::move(sentence));
-  }
-  outcome.trials = result.trials;
-  outcome.restarts = result.restarts;
-  outcome.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  outcome.groups = compare(recipe, mix, outcome.packing);
-  outcome.target_reached = everything_stands(outcome.groups, result.stop);
-  certify(recipe, run, outcome);
-  outcome.packing.provenance = Provenance{.method = outcome.method,
-                                          .stop = outcome.stop,
-                                          .version = std::string(version()),
-                                          .seed = recipe.seed,
-                                          .seconds = outcome.seconds,
-                                          .recipe_json = recipe_to_json(recipe)};
-  return outcome;
+PackOutcome resume_pack(const Recipe& recipe, MovingPacking checkpoint, RunContext run,
+                        const Checkpointing& checkpointing) {
+  const auto& provenance = checkpoint.packing.provenance;
+  Run one(recipe, std::move(run), provenance ? provenance->seconds : 0.0);
+  return one.finish(one.from(std::move(checkpoint), checkpointing));
 }
 
 }  // namespace packstone

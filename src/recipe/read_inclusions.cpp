@@ -84,8 +84,8 @@ class GroupReader {
       if (const auto value = read_integer(count, 1, complaints_)) group_.count = *value;
     }
     if (const Entry fraction = table_["fraction"]) {
-      const Range part{"a number > 0 and < 1", 0.0, 1.0, true, true};
-      if (const auto value = read_number(fraction, part, complaints_)) group_.fraction = *value;
+      const auto value = read_number(fraction, fraction_number(), complaints_);
+      if (value) group_.fraction = *value;
     }
   }
 

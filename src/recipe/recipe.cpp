@@ -11,9 +11,10 @@
 #include "packstone/core/number_text.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "recipe/overrides.hpp"
+#include "recipe/packing_words.hpp"
 #include "recipe/read_inclusions.hpp"
+#include "recipe/read_packing.hpp"
 #include "recipe/recipe_table.hpp"
-#include "recipe/time_text.hpp"
 
 namespace packstone {
 namespace {
@@ -24,14 +25,6 @@ using recipe::TableView;
 
 // Far more levels than any recipe has; what goes down a tree calls itself once per level.
 constexpr int kMaxJsonDepth = 64;
-
-// The table `key` of `parent`, if it is one; complains when it is something else.
-const toml::table* table_at(const TableView& parent, std::string_view key, Complaints& complaints) {
-  const Entry entry = parent[key];
-  if (!entry) return nullptr;
-  if (!entry.node->is_table()) complaints.not_allowed(entry, "a table [" + entry.name + "]");
-  return entry.node->as_table();
-}
 
 // Reads the size of the cell into `cell`; returns its dimension, 0 when it could not be read.
 int read_cell_size(const TableView& table, Cell& cell, Complaints& complaints) {
@@ -71,7 +64,7 @@ void read_periodic(const Entry& periodic, int dimension, Cell& cell, Complaints&
 
 int read_cell(const TableView& root, Cell& cell, Complaints& complaints) {
   if (!root["cell"]) complaints.missing(nullptr, "[cell]", "a table with size and periodic");
-  const toml::table* const node = table_at(root, "cell", complaints);
+  const toml::table* const node = recipe::read_table(root, "cell", complaints);
   if (node == nullptr) return 0;
   const TableView table(*node, "cell", {"size", "periodic"}, complaints);
   const int dimension = read_cell_size(table, cell, complaints);
@@ -80,54 +73,6 @@ int read_cell(const TableView& root, Cell& cell, Complaints& complaints) {
     read_periodic(periodic, dimension, cell, complaints);
   }
   return dimension;
-}
-
-void read_rsa(const TableView& packing, RsaSettings& rsa, Complaints& complaints) {
-  const toml::table* const node = table_at(packing, "rsa", complaints);
-  if (node == nullptr) return;
-  const TableView table(*node, "packing.rsa",
-                        {"order", "redraw_orientations", "max_trials", "max_restarts"}, complaints);
-  if (const Entry order = table["order"]) {
-    const auto choice = recipe::read_choice<RsaOrder>(order,
-                                                      {{"largest-first", RsaOrder::largest_first},
-                                                       {"group", RsaOrder::as_given},
-                                                       {"shuffled", RsaOrder::shuffled}},
-                                                      complaints);
-    if (choice) rsa.order = *choice;
-  }
-  if (const Entry redraw = table["redraw_orientations"]) {
-    rsa.redraw_orientations = recipe::read_flag(redraw, complaints).value_or(false);
-  }
-  if (const Entry trials = table["max_trials"]) {
-    rsa.max_trials = recipe::read_integer(trials, 1, complaints).value_or(rsa.max_trials);
-  }
-  if (const Entry restarts = table["max_restarts"]) {
-    rsa.max_restarts = recipe::read_integer(restarts, 0, complaints).value_or(rsa.max_restarts);
-  }
-}
-
-void read_packing_table(const TableView& root, Recipe& order, Complaints& complaints) {
-  const toml::table* const node = table_at(root, "packing", complaints);
-  if (node == nullptr) return;
-  const TableView table(*node, "packing", {"method", "min_gap", "seed", "time_limit", "rsa"},
-                        complaints);
-  if (const Entry method = table["method"]) {
-    const auto choice = recipe::read_choice<PackMethod>(
-        method, {{"auto", PackMethod::automatic}, {"rsa", PackMethod::rsa}}, complaints);
-    if (choice) order.method = *choice;
-  }
-  if (const Entry gap = table["min_gap"]) {
-    order.min_gap =
-        recipe::read_number(gap, recipe::not_negative_number(), complaints).value_or(0.0);
-    order.places[gap.name] = complaints.place(gap.node) + ": " + recipe::quoted(gap);
-  }
-  if (const Entry seed = table["seed"]) {
-    order.seed = static_cast<std::uint64_t>(recipe::read_integer(seed, 0, complaints).value_or(1));
-  }
-  if (const Entry limit = table["time_limit"]) {
-    order.time_limit = recipe::read_time(limit, complaints);
-  }
-  read_rsa(table, order.rsa, complaints);
 }
 
 // Gives groups without a name that of their shape, and refuses a name that stands twice.
@@ -201,7 +146,7 @@ Recipe recipe_from_tree(toml::table& tree, const std::string& origin,
   order.origin = origin;
   const int dimension = read_cell(root, order.cell, complaints);
   read_groups(root, dimension, order, complaints);
-  read_packing_table(root, order, complaints);
+  recipe::read_packing_table(root, order, complaints);
   complaints.throw_if_any();
   return order;
 }
@@ -268,20 +213,10 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-// The recipe that made the packing in `path`.
-Recipe recipe_of_packing(const std::filesystem::path& path,
-                         const std::vector<Override>& overrides) {
-  const Packing packing = read_packing(path);
-  if (!packing.provenance || packing.provenance->recipe_json.empty()) {
-    throw InvalidArgument(path.string() + ": the packing does not hold the recipe it came from");
-  }
-  return recipe_from_json(packing.provenance->recipe_json, path.string(), overrides);
-}
-
 }  // namespace
 
 std::string_view name(PackMethod method) noexcept {
-  return method == PackMethod::rsa ? "rsa" : "auto";
+  return recipe::word_for(recipe::kMethods, method);
 }
 
 Recipe recipe_from_toml(std::string_view text, const std::string& origin,
@@ -309,15 +244,25 @@ Recipe recipe_from_json(std::string_view text, const std::string& origin,
   return recipe_from_tree(tree, origin, overrides);
 }
 
+Recipe recipe_of_packing(const Packing& packing, const std::string& origin,
+                         const std::vector<Override>& overrides) {
+  if (!packing.provenance || packing.provenance->recipe_json.empty()) {
+    throw InvalidArgument(origin + ": it does not hold the recipe it came from");
+  }
+  return recipe_from_json(packing.provenance->recipe_json, origin, overrides);
+}
+
 Recipe read_recipe(const std::filesystem::path& path, const std::vector<Override>& overrides) {
   const std::string ending = path.extension().string();
-  if (ending == ".h5") return recipe_of_packing(path, overrides);
+  const auto of_packing = [&] {
+    return recipe_of_packing(read_packing(path), path.string(), overrides);
+  };
+  if (ending == ".h5") return of_packing();
   const std::string text = text_of(path);
   if (ending != ".json") return recipe_from_toml(text, path.string(), overrides);
   const auto value = nlohmann::json::parse(text, nullptr, false);
   const bool is_packing = value.is_object() && value.contains("format");
-  return is_packing ? recipe_of_packing(path, overrides)
-                    : recipe_from_json(text, path.string(), overrides);
+  return is_packing ? of_packing() : recipe_from_json(text, path.string(), overrides);
 }
 
 }  // namespace packstone

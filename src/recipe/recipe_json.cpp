@@ -2,6 +2,7 @@
 
 #include "packstone/core/overloaded.hpp"
 #include "packstone/recipe/recipe.hpp"
+#include "recipe/packing_words.hpp"
 #include "recipe/read_distribution.hpp"
 
 namespace packstone {
@@ -135,11 +136,6 @@ Json group_json(const InclusionGroup& group) {
   return text;
 }
 
-std::string_view order_word(RsaOrder order) {
-  if (order == RsaOrder::as_given) return "group";
-  return order == RsaOrder::shuffled ? "shuffled" : "largest-first";
-}
-
 Json cell_json(const Cell& cell) {
   Json size = Json::array();
   Json periodic = Json::array();
@@ -150,6 +146,42 @@ Json cell_json(const Cell& cell) {
   return {{"size", size}, {"periodic", periodic}};
 }
 
+template <class T>
+std::string word_for(const recipe::Words<T>& words, T value) {
+  return std::string(recipe::word_for(words, value));
+}
+
+Json rsa_json(const RsaSettings& rsa) {
+  return {{"order", word_for(recipe::kRsaOrders, rsa.order)},
+          {"redraw_orientations", rsa.redraw_orientations},
+          {"max_trials", rsa.max_trials},
+          {"max_restarts", rsa.max_restarts}};
+}
+
+Json event_driven_json(const EventDrivenSettings& settings) {
+  Json text{{"goal", word_for(recipe::kGoals, settings.goal)},
+            {"growth_rate", settings.growth_rate},
+            {"slowest_growth", settings.slowest_growth},
+            {"rotate", settings.rotate == Rotation::all},
+            {"collisions_per_body", settings.collisions_per_body},
+            {"published_stagnation", settings.published_stagnation},
+            {"check_every_event", settings.check_every_event},
+            {"start", word_for(recipe::kGrowthStarts, settings.start)}};
+  if (settings.rotate == Rotation::automatic) text["rotate"] = "auto";
+  if (settings.start_fraction) text["start_fraction"] = *settings.start_fraction;
+  return text;
+}
+
+Json packing_json(const Recipe& recipe) {
+  Json text{{"method", std::string(name(recipe.method))},
+            {"min_gap", recipe.min_gap},
+            {"seed", recipe.seed}};
+  if (recipe.time_limit) text["time_limit"] = *recipe.time_limit;
+  text["rsa"] = rsa_json(recipe.rsa);
+  text["event-driven"] = event_driven_json(recipe.event_driven);
+  return text;
+}
+
 }  // namespace
 
 std::string recipe_to_json(const Recipe& recipe) {
@@ -157,15 +189,7 @@ std::string recipe_to_json(const Recipe& recipe) {
   text["cell"] = cell_json(recipe.cell);
   text["inclusions"] = Json::array();
   for (const InclusionGroup& group : recipe.groups) text["inclusions"].push_back(group_json(group));
-  Json packing{{"method", std::string(name(recipe.method))},
-               {"min_gap", recipe.min_gap},
-               {"seed", recipe.seed}};
-  if (recipe.time_limit) packing["time_limit"] = *recipe.time_limit;
-  packing["rsa"] = {{"order", std::string(order_word(recipe.rsa.order))},
-                    {"redraw_orientations", recipe.rsa.redraw_orientations},
-                    {"max_trials", recipe.rsa.max_trials},
-                    {"max_restarts", recipe.rsa.max_restarts}};
-  text["packing"] = std::move(packing);
+  text["packing"] = packing_json(recipe);
   return text.dump();
 }
 

@@ -25,6 +25,15 @@ const std::vector<std::pair<std::string_view, std::string_view>>& homes() {
       {"redraw_orientations", "[packing.rsa]"},
       {"max_trials", "[packing.rsa]"},
       {"max_restarts", "[packing.rsa]"},
+      {"goal", "[packing.event-driven]"},
+      {"growth_rate", "[packing.event-driven]"},
+      {"slowest_growth", "[packing.event-driven]"},
+      {"rotate", "[packing.event-driven]"},
+      {"collisions_per_body", "[packing.event-driven]"},
+      {"published_stagnation", "[packing.event-driven]"},
+      {"check_every_event", "[packing.event-driven]"},
+      {"start", "[packing.event-driven]"},
+      {"start_fraction", "[packing.event-driven]"},
       {"shape", "[[inclusions]]"},
       {"count", "[[inclusions]]"},
       {"fraction", "[[inclusions]]"},
@@ -112,6 +121,7 @@ bool Range::holds(double x) const {
 Range any_number() { return {.text = "a finite number"}; }
 Range positive_number() { return {.text = "a number > 0", .lo = 0.0, .lo_excluded = true}; }
 Range not_negative_number() { return {.text = "a number >= 0", .lo = 0.0}; }
+Range fraction_number() { return {"a number > 0 and < 1", 0.0, 1.0, true, true}; }
 
 std::string quoted(const Entry& entry) { return entry.name + " = " + shown(*entry.node); }
 
@@ -196,6 +206,14 @@ std::optional<bool> read_flag(const Entry& entry, Complaints& complaints) {
   const auto value = entry.node->value_exact<bool>();
   if (!value) complaints.not_allowed(entry, "true or false");
   return value;
+}
+
+const toml::table* read_table(const TableView& parent, std::string_view key,
+                              Complaints& complaints) {
+  const Entry entry = parent[key];
+  if (!entry) return nullptr;
+  if (!entry.node->is_table()) complaints.not_allowed(entry, "a table [" + entry.name + "]");
+  return entry.node->as_table();
 }
 
 std::optional<std::vector<double>> read_numbers(const Entry& entry, std::vector<std::size_t> counts,

@@ -61,6 +61,7 @@ struct Range {
 [[nodiscard]] Range any_number();
 [[nodiscard]] Range positive_number();
 [[nodiscard]] Range not_negative_number();
+[[nodiscard]] Range fraction_number();  ///< > 0 and < 1.
 
 /// "key = value"
 [[nodiscard]] std::string quoted(const Entry& entry);
@@ -113,6 +114,10 @@ class TableView {
                                                               std::vector<std::size_t> counts,
                                                               const Range& range,
                                                               Complaints& complaints);
+
+/// The table `key` of `parent`, if it is one; complains when it is something else.
+[[nodiscard]] const toml::table* read_table(const TableView& parent, std::string_view key,
+                                            Complaints& complaints);
 
 /// One word of a list, as the value that stands beside it.
 template <class T>

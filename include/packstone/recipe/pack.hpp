@@ -10,7 +10,9 @@
 
 #include "packstone/core/mat.hpp"
 #include "packstone/core/run_context.hpp"
+#include "packstone/generate/event_driven.hpp"
 #include "packstone/recipe/recipe.hpp"
+#include "packstone/structure/moving_packing.hpp"
 #include "packstone/structure/orientation_order.hpp"
 #include "packstone/structure/packing.hpp"
 
@@ -22,9 +24,11 @@ struct GroupOutcome {
   std::optional<std::int64_t> ordered_count;  ///< Absent: as many as fit.
   std::int64_t count = 0;
   std::optional<double> ordered_fraction;  ///< Absent: as much as fits [-].
-  double fraction = 0.0;                   ///< [-].
+  double fraction = 0.0;  ///< Of the inclusions as large as they are, see MotionOutcome [-].
   /// true: orientations were redrawn with the trials, which favors those that fit.
   bool redrawn = false;
+  /// true: inclusions were turned by collisions, so their orientations are not those drawn.
+  bool turned = false;
   /// Sample mean of u u^T over the symmetry axes u as they were drawn, and over those that stand
   /// [-]. Absent for spheres and disks; the ordered one also where the count is open.
   std::optional<SymMat3> ordered_tensor;
@@ -34,20 +38,34 @@ struct GroupOutcome {
   std::optional<RandomOrder> random_order;
 };
 
+/// What a method that moves inclusions and lets them grow has to tell.
+struct MotionOutcome {
+  /// Lengths of all inclusions over those ordered [-]. 1 where the target is reached; the goal
+  /// "densest" may end on either side of it.
+  double size_factor = 1.0;
+  EventDrivenReport report;
+  std::vector<EventDrivenSample> history;  ///< Since the start, or since the checkpoint.
+};
+
 /// What pack() made, beside what was ordered.
 struct PackOutcome {
-  Packing packing;              ///< With certificate and provenance.
-  bool target_reached = false;  ///< Everything ordered stands, and the certificate is clean.
-  std::string method;           ///< "rsa", ...
-  std::string method_reason;    ///< Why this method, for people.
-  std::string stop;             ///< Why it stopped: "target_reached", "saturated", ...
+  Packing packing;  ///< With certificate and provenance.
+  /// Everything ordered stands in the size ordered, and the certificate is clean. The goal
+  /// "densest" orders no size: it is reached when they jam, and by a time limit as well.
+  bool target_reached = false;
+  std::string method;         ///< "rsa", "event-driven".
+  std::string method_reason;  ///< Why this method, for people.
+  std::string stop;           ///< Why it stopped: "target_reached", "saturated", "jammed", ...
   std::vector<GroupOutcome> groups;
   /// Sentences: what two of count, fraction and size gave for the third, and what of the order is
   /// met only roughly.
   std::vector<std::string> derived;
-  double seconds = 0.0;       ///< Processor time of the method [s].
-  std::int64_t trials = 0;    ///< Positions tried.
-  std::int64_t restarts = 0;  ///< Fresh starts.
+  /// Processor time of the method [s]: of the whole process, or with RunContext::threads(1) of the
+  /// calling thread alone.
+  double seconds = 0.0;
+  std::int64_t trials = 0;              ///< Positions tried, by methods that place inclusions.
+  std::int64_t restarts = 0;            ///< Fresh starts.
+  std::optional<MotionOutcome> motion;  ///< Of methods that move inclusions.
 };
 
 /// Makes the packing that `recipe` orders and checks it, independently of how it was made.
@@ -62,6 +80,20 @@ struct PackOutcome {
 ///          more room than the cell has, equal spheres or disks above the densest packing there
 ///          is (T. C. Hales, Ann. Math. 162 (2005) 1065-1185; L. Fejes Toth, Math. Z. 46 (1940)
 ///          83-85).
-[[nodiscard]] PackOutcome pack(const Recipe& recipe, RunContext run = {});
+///
+/// `checkpointing`: event-driven dynamics hands its state over on the way, and at the end when it
+/// was cancelled or out of time, with the names of the groups and with the recipe in the
+/// provenance: ready for write_checkpoint() of checkpoint_file.hpp. Other methods keep none.
+[[nodiscard]] PackOutcome pack(const Recipe& recipe, RunContext run = {},
+                               const Checkpointing& checkpointing = {});
+
+/// Goes on from a checkpoint that pack() made of the same recipe. From one made on the way the
+/// result has the bits that the run would have given uninterrupted. The time limit counts anew.
+/// `recipe` may differ in what does not change the inclusions, such as the slowest growth.
+///
+/// Errors:  as pack(); InvalidArgument too when the checkpoint is not well formed or its inclusions
+///          are not those that the recipe orders.
+[[nodiscard]] PackOutcome resume_pack(const Recipe& recipe, MovingPacking checkpoint,
+                                      RunContext run = {}, const Checkpointing& checkpointing = {});
 
 }  // namespace packstone

@@ -14,18 +14,21 @@
 #include <vector>
 
 #include "packstone/core/cell.hpp"
+#include "packstone/generate/event_driven.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
+#include "packstone/structure/packing.hpp"
 
 namespace packstone {
 
 /// Who places the inclusions.
 enum class PackMethod {
-  automatic,  ///< pack() chooses and says which and why.
-  rsa,        ///< Random sequential adsorption, rsa.hpp.
+  automatic,     ///< pack() chooses and says which and why.
+  rsa,           ///< Random sequential adsorption, rsa.hpp.
+  event_driven,  ///< Molecular dynamics of bodies that collide and grow, event_driven.hpp.
 };
 
-/// "auto", "rsa": the word used in recipes.
+/// "auto", "rsa", "event-driven": the word used in recipes.
 [[nodiscard]] std::string_view name(PackMethod method) noexcept;
 
 /// `[packing.rsa]`: the fields of RsaOptions that a recipe may set.
@@ -35,6 +38,35 @@ struct RsaSettings {
   bool redraw_orientations = false;
   std::int64_t max_trials = RsaOptions{}.max_trials;      ///< >= 1.
   std::int64_t max_restarts = RsaOptions{}.max_restarts;  ///< >= 0.
+};
+
+/// Whose orientations the dynamics may change.
+enum class Rotation {
+  automatic,  ///< Of the groups whose law is random; the others keep what was drawn.
+  all,        ///< Of all groups.
+  none,       ///< Of none.
+};
+
+/// Where the bodies of event-driven dynamics grow from.
+enum class GrowthStart {
+  points,  ///< Points at random places.
+  rsa,     ///< Smaller bodies that random sequential adsorption has placed.
+};
+
+/// `[packing.event-driven]`: the fields of EventDrivenOptions that a recipe may set, and where the
+/// bodies start.
+struct EventDrivenSettings {
+  EventDrivenGoal goal = EventDrivenGoal::target;
+  double growth_rate = EventDrivenOptions{}.growth_rate;        ///< In (0, 10].
+  double slowest_growth = EventDrivenOptions{}.slowest_growth;  ///< In (0, growth_rate].
+  Rotation rotate = Rotation::automatic;
+  double collisions_per_body = EventDrivenOptions{}.collisions_per_body;  ///< > 0.
+  bool published_stagnation = false;
+  bool check_every_event = false;
+  GrowthStart start = GrowthStart::points;
+  /// start = rsa: the volume fraction at which the bodies begin to grow [-], in (0, 1). Absent:
+  /// 0.2, or less where random sequential adsorption does not surely reach that.
+  std::optional<double> start_fraction;
 };
 
 /// Everything that a packing is made from. The same recipe and seed give the same packing.
@@ -47,6 +79,7 @@ struct Recipe {
   std::uint64_t seed = 1;            ///< Key of every random stream. A file holds up to 2^63 - 1.
   std::optional<double> time_limit;  ///< Then keep what is valid [s]. > 0; absent: none.
   RsaSettings rsa;
+  EventDrivenSettings event_driven;
   /// Where what was ordered stands, for messages: by key ("inclusions[0].count", "packing.min_gap")
   /// the words "fibers.toml:7: inclusions[0].count = 20". The size of a group stands under
   /// "inclusions[0].size", whichever key gives it. Empty for a recipe that was not read.
@@ -78,6 +111,11 @@ using Override = std::string;
 /// Reads what recipe_to_json() wrote. Errors as read_recipe(), without lines.
 [[nodiscard]] Recipe recipe_from_json(std::string_view text, const std::string& origin,
                                       const std::vector<Override>& overrides = {});
+
+/// The recipe that a packing holds in its provenance. `origin` stands for its file in messages.
+/// Errors as read_recipe(); InvalidArgument too when it holds none.
+[[nodiscard]] Recipe recipe_of_packing(const Packing& packing, const std::string& origin,
+                                       const std::vector<Override>& overrides = {});
 
 /// The recipe as a JSON object with the keys of the TOML form, overrides applied and tables
 /// included: recipe_from_json() gives the same recipe back, to the last bit.

@@ -39,6 +39,8 @@ name = "balls"
 shape = "sphere"
 count = 20
 fraction = 0.6
+[packing]
+method = "rsa"
 )";
 
 }  // namespace
@@ -245,7 +247,8 @@ TEST_CASE("bodies that may be turned are not refused as they were drawn") {
   const std::string slab = "[1, 1, 0.25]\nperiodic = [true, true, false]";
   const std::string rods =
       "[[inclusions]]\nshape = \"spherocylinder\"\naspect = 12\ncount = 20\nfraction = 0.04\n";
-  CHECK_THROWS_WITH(pack(order(rods, slab)), Catch::Contains("wide along z"));
+  CHECK_THROWS_WITH(pack(order(rods + "[packing]\nmethod = \"rsa\"\n", slab)),
+                    Catch::Contains("wide along z"));
   CHECK(pack(order(rods + "[packing.rsa]\nredraw_orientations = true\n", slab)).target_reached);
 }
 

@@ -127,6 +127,16 @@ TEST_CASE("what a recipe leaves out takes the documented default") {
   CHECK_FALSE(recipe.rsa.redraw_orientations);
   CHECK(recipe.rsa.max_trials == RsaOptions{}.max_trials);
   CHECK(recipe.rsa.max_restarts == RsaOptions{}.max_restarts);
+  const EventDrivenSettings& dynamics = recipe.event_driven;
+  CHECK(dynamics.goal == EventDrivenGoal::target);
+  CHECK(dynamics.growth_rate == EventDrivenOptions{}.growth_rate);
+  CHECK(dynamics.slowest_growth == EventDrivenOptions{}.slowest_growth);
+  CHECK(dynamics.rotate == Rotation::automatic);
+  CHECK(dynamics.collisions_per_body == EventDrivenOptions{}.collisions_per_body);
+  CHECK_FALSE(dynamics.published_stagnation);
+  CHECK_FALSE(dynamics.check_every_event);
+  CHECK(dynamics.start == GrowthStart::points);
+  CHECK_FALSE(dynamics.start_fraction.has_value());
 }
 
 TEST_CASE("a cell is 2D or 3D by its size and periodic per axis") {
@@ -317,6 +327,41 @@ TEST_CASE("the options of rsa are read one to one") {
   CHECK(recipe.rsa.max_restarts == 0);
   CHECK(one_group("shape = \"sphere\"\nradius = 0.1\n[packing.rsa]\norder = \"group\"").rsa.order ==
         RsaOrder::as_given);
+}
+
+TEST_CASE("the options of event-driven dynamics are read one to one") {
+  const auto read = [](const std::string& keys) {
+    return one_group(
+        "shape = \"sphere\"\nradius = 0.1\ncount = 3\n[packing]\n"
+        "method = \"event-driven\"\n[packing.event-driven]\n" +
+        keys);
+  };
+  const Recipe recipe = read(
+      "goal = \"equilibrium\"\ngrowth_rate = 0.5\nslowest_growth = 0.5\nrotate = true\n"
+      "collisions_per_body = 20\npublished_stagnation = true\ncheck_every_event = true\n"
+      "start = \"rsa\"\nstart_fraction = 0.05\n");
+  CHECK(recipe.method == PackMethod::event_driven);
+  CHECK(name(recipe.method) == "event-driven");
+  const EventDrivenSettings& dynamics = recipe.event_driven;
+  CHECK(dynamics.goal == EventDrivenGoal::equilibrium);
+  CHECK(dynamics.growth_rate == 0.5);
+  CHECK(dynamics.slowest_growth == 0.5);
+  CHECK(dynamics.rotate == Rotation::all);
+  CHECK(dynamics.collisions_per_body == 20.0);
+  CHECK(dynamics.published_stagnation);
+  CHECK(dynamics.check_every_event);
+  CHECK(dynamics.start == GrowthStart::rsa);
+  CHECK(dynamics.start_fraction == 0.05);
+  CHECK(read("goal = \"densest\"").event_driven.goal == EventDrivenGoal::densest);
+  CHECK(read("rotate = false").event_driven.rotate == Rotation::none);
+  CHECK(read("rotate = \"auto\"").event_driven.rotate == Rotation::automatic);
+  // A growth rate below the default of the slowest one takes that down with it.
+  CHECK(read("growth_rate = 1e-7").event_driven.slowest_growth == 1e-7);
+  const Recipe changed = recipe_from_toml(
+      "[cell]\nsize = [1, 1, 1]\n[[inclusions]]\nshape = \"sphere\"\nradius = 0.1\n", "t",
+      {"packing.event-driven.goal=densest", "packing.event-driven.growth_rate=0.2"});
+  CHECK(changed.event_driven.goal == EventDrivenGoal::densest);
+  CHECK(changed.event_driven.growth_rate == 0.2);
 }
 
 TEST_CASE("groups without a name take that of their shape, and never that of another group") {

@@ -60,6 +60,16 @@ order = "group"
 redraw_orientations = true
 max_trials = 1000
 max_restarts = 3
+[packing.event-driven]
+goal = "densest"
+growth_rate = 0.0123
+slowest_growth = 1e-6
+rotate = false
+collisions_per_body = 77.5
+published_stagnation = true
+check_every_event = true
+start = "rsa"
+start_fraction = 0.123
 )";
 
 const std::string kPlane = R"([cell]
@@ -106,6 +116,8 @@ TEST_CASE("the JSON form holds what was read, with overrides applied") {
   CHECK(json["packing"]["seed"] == 5);
   CHECK(json["packing"]["time_limit"] == 120.0);
   CHECK(json["packing"]["rsa"]["order"] == "group");
+  CHECK(json["packing"]["event-driven"]["goal"] == "densest");
+  CHECK(json["packing"]["event-driven"]["rotate"] == false);
   CHECK(json["inclusions"][0]["count"] == 7);
   CHECK(json["inclusions"][0]["radius"]["by"] == "volume");
   CHECK(json["inclusions"][4]["half_length"] == 0.15);

@@ -1,0 +1,21 @@
+#include "timeline.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace packstone::cli {
+
+std::string timeline_csv(const std::vector<EventDrivenSample>& history) {
+  std::string text =
+      "time [L/v],collisions [-],size_factor [-],fraction [-],growth_rate [-],reduced_pressure [-],"
+      "collision_rate [v/L],kinetic_energy [-],nematic_order [-]\n";
+  for (const EventDrivenSample& s : history) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", s.time, s.collisions,
+                   s.size_factor, s.fraction, s.growth_rate, s.reduced_pressure, s.collision_rate,
+                   s.kinetic_energy, s.nematic_order);
+  }
+  return text;
+}
+
+}  // namespace packstone::cli

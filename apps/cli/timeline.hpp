@@ -1,0 +1,17 @@
+#pragma once
+
+/// @file
+/// The history of a run as a table.
+
+#include <string>
+#include <vector>
+
+#include "packstone/generate/event_driven.hpp"
+
+namespace packstone::cli {
+
+/// CSV: one line that names the columns with their units, then one line per sample, numbers as the
+/// shortest decimals that read back the same.
+[[nodiscard]] std::string timeline_csv(const std::vector<EventDrivenSample>& history);
+
+}  // namespace packstone::cli

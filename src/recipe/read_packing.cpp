@@ -1,0 +1,116 @@
+#include "recipe/read_packing.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "packstone/core/number_text.hpp"
+#include "recipe/packing_words.hpp"
+#include "recipe/time_text.hpp"
+
+namespace packstone::recipe {
+namespace {
+
+// The readers of values that may be absent: `value` then stays as it is, as it does when what
+// stands there is not allowed.
+
+void read_into(const Entry& entry, bool& value, Complaints& complaints) {
+  if (entry) value = read_flag(entry, complaints).value_or(value);
+}
+
+void read_into(const Entry& entry, const Range& range, double& value, Complaints& complaints) {
+  if (entry) value = read_number(entry, range, complaints).value_or(value);
+}
+
+void read_into(const Entry& entry, std::int64_t least, std::int64_t& value,
+               Complaints& complaints) {
+  if (entry) value = read_integer(entry, least, complaints).value_or(value);
+}
+
+template <class T>
+void read_into(const Entry& entry, const Words<T>& words, T& value, Complaints& complaints) {
+  if (entry) value = read_choice<T>(entry, words, complaints).value_or(value);
+}
+
+Range positive_up_to(double most, const std::string& text) {
+  return {.text = "a number > 0 and <= " + text, .lo = 0.0, .hi = most, .lo_excluded = true};
+}
+
+void read_rsa(const TableView& packing, RsaSettings& rsa, Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "rsa", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.rsa",
+                        {"order", "redraw_orientations", "max_trials", "max_restarts"}, complaints);
+  read_into(table["order"], kRsaOrders, rsa.order, complaints);
+  read_into(table["redraw_orientations"], rsa.redraw_orientations, complaints);
+  read_into(table["max_trials"], 1, rsa.max_trials, complaints);
+  read_into(table["max_restarts"], 0, rsa.max_restarts, complaints);
+}
+
+void read_growth(const TableView& table, EventDrivenSettings& settings, Complaints& complaints) {
+  constexpr double kFastest = 10.0;
+  const std::size_t before = complaints.count();
+  read_into(table["growth_rate"], positive_up_to(kFastest, "10"), settings.growth_rate, complaints);
+  // What is too slow for a growth rate given alone takes that rate as the slowest.
+  const Entry slowest = table["slowest_growth"];
+  if (!slowest) settings.slowest_growth = std::min(settings.slowest_growth, settings.growth_rate);
+  if (complaints.count() != before) return;
+  read_into(
+      slowest,
+      positive_up_to(settings.growth_rate, "growth_rate = " + number_text(settings.growth_rate)),
+      settings.slowest_growth, complaints);
+}
+
+void read_rotate(const Entry& rotate, Rotation& value, Complaints& complaints) {
+  if (!rotate) return;
+  if (const auto flag = rotate.node->value_exact<bool>()) {
+    value = *flag ? Rotation::all : Rotation::none;
+  } else if (rotate.node->value_exact<std::string>() == "auto") {
+    value = Rotation::automatic;
+  } else {
+    complaints.not_allowed(rotate, "true, false or \"auto\"");
+  }
+}
+
+void read_event_driven(const TableView& packing, EventDrivenSettings& settings,
+                       Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "event-driven", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.event-driven",
+                        {"goal", "growth_rate", "slowest_growth", "rotate", "collisions_per_body",
+                         "published_stagnation", "check_every_event", "start", "start_fraction"},
+                        complaints);
+  read_into(table["goal"], kGoals, settings.goal, complaints);
+  read_growth(table, settings, complaints);
+  read_rotate(table["rotate"], settings.rotate, complaints);
+  read_into(table["collisions_per_body"], positive_number(), settings.collisions_per_body,
+            complaints);
+  read_into(table["published_stagnation"], settings.published_stagnation, complaints);
+  read_into(table["check_every_event"], settings.check_every_event, complaints);
+  read_into(table["start"], kGrowthStarts, settings.start, complaints);
+  if (const Entry fraction = table["start_fraction"]) {
+    settings.start_fraction = read_number(fraction, fraction_number(), complaints);
+  }
+}
+
+}  // namespace
+
+void read_packing_table(const TableView& root, Recipe& order, Complaints& complaints) {
+  const toml::table* const node = read_table(root, "packing", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing",
+                        {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven"},
+                        complaints);
+  read_into(table["method"], kMethods, order.method, complaints);
+  if (const Entry gap = table["min_gap"]) {
+    read_into(gap, not_negative_number(), order.min_gap, complaints);
+    order.places[gap.name] = complaints.place(gap.node) + ": " + quoted(gap);
+  }
+  if (const Entry seed = table["seed"]) {
+    order.seed = static_cast<std::uint64_t>(read_integer(seed, 0, complaints).value_or(1));
+  }
+  if (const Entry limit = table["time_limit"]) order.time_limit = read_time(limit, complaints);
+  read_rsa(table, order.rsa, complaints);
+  read_event_driven(table, order.event_driven, complaints);
+}
+
+}  // namespace packstone::recipe
