@@ -19,6 +19,7 @@ double restitution(const Contact& contact) {
 // Half the inverse of the moment of inertia is what a torque makes of the energy.
 double turning_part(const Bodies& bodies, std::int32_t i, const Pose& pose, double size,
                     const Vec3& torque, Vec3& response) {
+  if (bodies.inverse_inertia[static_cast<std::size_t>(i)] == Vec3{}) return 0.0;
   response = inverse_inertia_times(bodies, i, pose, size, torque);
   return dot(torque, response);
 }
@@ -52,10 +53,14 @@ double collide(Bodies& bodies, std::int32_t i, const Partner& partner, const Con
   if (!(inverse > 0.0)) return 0.0;
   const double impulse = push / inverse;
   if (!own_image) bodies.flight[a].velocity -= (impulse * bodies.inverse_mass[a]) * n;
-  bodies.set_angular(a, bodies.spin[a].angular - impulse * response_a);
+  if (!(response_a == Vec3{})) {
+    bodies.set_angular(a, bodies.spin[a].angular - impulse * response_a);
+  }
   if (two) {
     bodies.flight[b].velocity += (impulse * bodies.inverse_mass[b]) * n;
-    bodies.set_angular(b, bodies.spin[b].angular + impulse * response_b);
+    if (!(response_b == Vec3{})) {
+      bodies.set_angular(b, bodies.spin[b].angular + impulse * response_b);
+    }
   }
   return is_wall(partner.body) ? 0.0 : impulse * dot(n, contact.between);
 }

@@ -7,12 +7,24 @@
 #include "generate/event_driven/contact_gap.hpp"
 #include "generate/event_driven/plane_bound.hpp"
 #include "generate/event_driven/plane_search.hpp"
+#include "generate/event_driven/revolution_bound.hpp"
 #include "generate/event_driven/revolution_pair.hpp"
 
 namespace packstone::event_driven {
 namespace {
 
 constexpr int kMostSteps = 200;
+
+// The point of a body of revolution at size factor 1 that lies farthest along the unit vector n,
+// and how far that is.
+Vec3 touching_point(const Revolution<double, Vec3>& body, const Spin& spin, const Vec3& n,
+                    double& support) {
+  const double along = dot(n, body.axis);
+  const Vec3 image =
+      (spin.axial * spin.axial * along) * body.axis + body.lateral * (n - along * body.axis);
+  support = std::sqrt(dot(n, image));
+  return image / support;
+}
 
 // The plane that separates by most.
 RevolutionPlane<double, Vec3> best_plane(const Revolution<double, Vec3>& a,
@@ -102,6 +114,28 @@ double ContactSearch::gap(std::int32_t i, const Partner& partner, double t) cons
   return (dot(plane.normal, now.r) - supports) / norm(plane.normal) - bodies_.min_gap;
 }
 
+// One of a pair of revolution, on its way from the clock it was stored at.
+struct ContactSearch::Turning {
+  const Spin& spin;
+  double turn;
+  double clock;
+  double reach;
+  Form form;
+
+  Turning(const Bodies& bodies, std::int32_t i)
+      : spin(bodies.spin[static_cast<std::size_t>(i)]),
+        turn(bodies.flight[static_cast<std::size_t>(i)].turn),
+        clock(bodies.flight[static_cast<std::size_t>(i)].clock),
+        reach(bodies.reach[static_cast<std::size_t>(i)]),
+        form(bodies.form[static_cast<std::size_t>(i)]) {}
+
+  [[nodiscard]] Revolution<double, Vec3> at(double t) const {
+    const double lateral = spin.lateral * spin.lateral;
+    return {turn > 0.0 ? turned_across(spin.axis, spin.angular, turn, t - clock) : spin.axis,
+            spin.angular, lateral, spin.axial * spin.axial - lateral, turn};
+  }
+};
+
 Contact ContactSearch::contact(std::int32_t i, const Partner& partner, double t,
                                const Vec3& normal) const {
   const Instant now = instant(i, partner, t);
@@ -120,6 +154,30 @@ Contact ContactSearch::contact(std::int32_t i, const Partner& partner, double t,
   contact.growth_speed = bodies_.growth / now.size * supports;
   const Vec3 speed =
       now.velocity + cross(now.angular_b, contact.arm_b) - cross(now.angular_a, contact.arm_a);
+  contact.approach = contact.growth_speed - dot(contact.normal, speed);
+  return contact;
+}
+
+Contact ContactSearch::contact_of_revolution(std::int32_t i, const Partner& partner, double t,
+                                             double l) const {
+  const Turning a(bodies_, i), b(bodies_, partner.body);
+  const Flight& flight_a = bodies_.flight[static_cast<std::size_t>(i)];
+  const Flight& flight_b = bodies_.flight[static_cast<std::size_t>(partner.body)];
+  Contact contact;
+  contact.between = (flight_b.center - flight_a.center) + partner.shift +
+                    (t - flight_b.clock) * flight_b.velocity -
+                    (t - flight_a.clock) * flight_a.velocity;
+  const double size = bodies_.size_at(t);
+  const Revolution<double, Vec3> now_a = a.at(t), now_b = b.at(t);
+  const bool balls = a.form == Form::ball && b.form == Form::ball;
+  contact.normal =
+      normalized(balls ? contact.between : best_plane(now_a, now_b, contact.between, l).normal);
+  double support_a = 0.0, support_b = 0.0;
+  contact.arm_a = size * touching_point(now_a, a.spin, contact.normal, support_a);
+  contact.arm_b = -size * touching_point(now_b, b.spin, contact.normal, support_b);
+  contact.growth_speed = bodies_.growth * (support_a + support_b);
+  const Vec3 speed = (flight_b.velocity + cross(now_b.angular, contact.arm_b)) -
+                     (flight_a.velocity + cross(now_a.angular, contact.arm_a));
   contact.approach = contact.growth_speed - dot(contact.normal, speed);
   return contact;
 }
@@ -150,28 +208,6 @@ Found ContactSearch::first_contact_of_balls(std::int32_t i, const Partner& partn
   return {Finding::contact, t + after};
 }
 
-// One of a pair of revolution, on its way from the clock it was stored at.
-struct ContactSearch::Turning {
-  const Spin& spin;
-  double turn;
-  double clock;
-  double reach;
-  Form form;
-
-  Turning(const Bodies& bodies, std::int32_t i)
-      : spin(bodies.spin[static_cast<std::size_t>(i)]),
-        turn(bodies.flight[static_cast<std::size_t>(i)].turn),
-        clock(bodies.flight[static_cast<std::size_t>(i)].clock),
-        reach(bodies.reach[static_cast<std::size_t>(i)]),
-        form(bodies.form[static_cast<std::size_t>(i)]) {}
-
-  [[nodiscard]] Revolution<double, Vec3> at(double t) const {
-    const double lateral = spin.lateral * spin.lateral;
-    return {turn > 0.0 ? turned_across(spin.axis, spin.angular, turn, t - clock) : spin.axis,
-            spin.angular, lateral, spin.axial * spin.axial - lateral, turn};
-  }
-};
-
 Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& partner, double t,
                                                  double horizon, const Suspicion& suspicion) {
   ++count_.searches;
@@ -185,35 +221,33 @@ Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& 
                                     (t - flight_b.clock) * flight_b.velocity -
                                     (t - flight_a.clock) * flight_a.velocity;
   const double contact_gap = this->contact_gap(i, partner, t);
-  RevolutionPlane<double, Vec3> plane{suspicion.normal, suspicion.l, 0.0, 0.0};
-  bool known = true, touching = false;
-  double time = t;
+  RevolutionPlane<double, Vec3> plane{{}, suspicion.l, 0.0, 0.0};
+  double time = t + suspicion.clear;
+  if (time >= horizon) return {};
   for (int step = 0; step < kMostSteps; ++step) {
     ++count_.steps;
     const double size = bodies_.size_at(time);
     const Revolution<double, Vec3> now_a = a.at(time), now_b = b.at(time);
     const Vec3 r = from + (time - t) * velocity;
     const auto bound_of = [&] {
-      PlaneBound bound({plane.normal, {}}, r, velocity, 0.0);
-      bound.add_revolution(a.spin, now_a.axis, a.turn, a.reach, size, bodies_.growth);
-      bound.add_revolution(b.spin, now_b.axis, b.turn, b.reach, size, bodies_.growth);
+      RevolutionBound bound(plane.normal, r, velocity);
+      bound.set_a(a.spin, now_a.axis, a.turn, a.reach, size, bodies_.growth);
+      bound.set_b(b.spin, now_b.axis, b.turn, b.reach, size, bodies_.growth);
       return bound;
     };
-    if (!known || touching) plane = plane_step(now_a, now_b, r, plane.l);
-    known = false;
-    PlaneBound bound = bound_of();
+    plane = plane_step(now_a, now_b, r, plane.l);
+    RevolutionBound bound = bound_of();
     double length = norm(plane.normal);
-    double gap = bound.at(0.0) / length;
+    double gap = bound.now() / length;
     if (gap <= contact_gap) {
       plane = best_plane(now_a, now_b, r, plane.l);
-      touching = true;
       bound = bound_of();
       length = norm(plane.normal);
-      gap = bound.at(0.0) / length;
+      gap = bound.now() / length;
       if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
     }
     if (gap <= contact_gap) {
-      if (bound.slope(0.0) < 0.0) return {Finding::contact, time};
+      if (bound.slope_now() < 0.0) return {Finding::contact, time};
       constexpr double kLeast = 0.1;
       const double lift = std::max(0.0, kLeast * contact_gap - gap);
       bound.raise(lift * length);
@@ -222,8 +256,8 @@ Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& 
     const double rest = horizon - time;
     if (bound.at(rest) >= 0.0) return {};
     const double aim = std::min(kAimedPart * contact_gap, 0.5 * gap) * length;
-    const double later = time + bound.safe_until(rest, aim);
-    if (later <= time && step > 0) break;
+    const double later = time + safe_time(bound, rest, aim);
+    if (later <= time) break;
     time = later;
   }
   return {Finding::look_again, time};

@@ -49,10 +49,10 @@ struct Contact {
   double approach = 0.0;      ///< Of the surfaces, growth included [L/T]; > 0: the gap closes.
 };
 
-/// A plane between two bodies of revolution from which a search begins.
+/// What is known of two bodies of revolution when a search begins.
 struct Suspicion {
-  double l = 0.5;  ///< Perram and Wertheim's.
-  Vec3 normal;
+  double l = 0.5;      ///< Perram and Wertheim's, of a plane between them.
+  double clear = 0.0;  ///< They stay apart for that long, for certain [T].
 };
 
 /// What searches have cost and seen.
@@ -80,6 +80,11 @@ class ContactSearch {
   /// The contact of two that touch at t.
   [[nodiscard]] Contact contact(std::int32_t i, const Partner& partner, double t,
                                 const Vec3& normal) const;
+
+  /// The same for two bodies of revolution without min_gap; `l`: Perram and Wertheim's of a plane
+  /// between them.
+  [[nodiscard]] Contact contact_of_revolution(std::int32_t i, const Partner& partner, double t,
+                                              double l) const;
 
   /// Gap at t, as the best plane shows it, proven but for rounding [L].
   [[nodiscard]] double gap(std::int32_t i, const Partner& partner, double t) const;

@@ -111,7 +111,7 @@ void Engine::search_suspect(std::int32_t i, std::span<Neighbor> list, const Susp
   const Neighbor& neighbor = list[static_cast<std::size_t>(suspect.neighbor)];
   const double horizon = std::min(next_.time, queue_.time(neighbor.body));
   const Found found = search_.first_contact_of_revolution(i, neighbors_.partner(neighbor), t,
-                                                          horizon, {suspect.l, suspect.normal});
+                                                          horizon, {suspect.l, suspect.time});
   take(found, suspect.neighbor);
 }
 
@@ -136,7 +136,7 @@ void Engine::look_in_lanes(std::int32_t i, std::span<Neighbor> list, double t) {
               [](const Suspect& a, const Suspect& b) {
                 return a.time < b.time || (a.time == b.time && a.neighbor < b.neighbor);
               });
-    for (std::size_t s = 0; s < count; ++s) {
+    for (std::size_t s = 0; s < count && t + suspects_[s].time < next_.time; ++s) {
       search_suspect(i, list, suspects_[s], t);
     }
   }
@@ -151,8 +151,10 @@ void Engine::carry_out_collision(std::int32_t i, double t) {
   const bool two = !is_wall(with.body) && with.body != i;
   bodies_.advance(i, t);
   if (two) bodies_.advance(with.body, t);
-  const bool has_normal = lanes_.kind() == PairLanes::Kind::none;
-  const Contact contact = search_.contact(i, partner, t, has_normal ? known_normal(with) : Vec3{});
+  const bool lanes = lanes_.kind() != PairLanes::Kind::none && !is_wall(with.body);
+  const double l = with.hint[0] > 0.0F ? with.hint[0] : 0.5;
+  const Contact contact = lanes ? search_.contact_of_revolution(i, partner, t, l)
+                                : search_.contact(i, partner, t, known_normal(with));
   count_.virial += collide(bodies_, i, partner, contact, t);
   ++count_.collisions;
   if (is_wall(with.body)) ++count_.wall_collisions;

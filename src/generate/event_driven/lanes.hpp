@@ -59,10 +59,14 @@ PACKSTONE_LANES Lanes lanes_of(const double (&numbers)[8]) {
   __builtin_memcpy(&result, numbers, sizeof result);
   return result;
 }
+// Bit l of the result is lane l of the mask.
 PACKSTONE_LANES unsigned bits(const Mask& mask) {
-  unsigned result = 0;
-  for (int l = 0; l < 8; ++l) result |= static_cast<unsigned>(mask[l] & 1) << l;
-  return result;
+  using Bytes = std::int8_t __attribute__((vector_size(8)));
+  const Bytes bytes = __builtin_convertvector(mask, Bytes);
+  std::uint64_t word;
+  __builtin_memcpy(&word, &bytes, sizeof word);
+  // Byte l holds its bit at 8 l; the product brings it to 56 + l.
+  return static_cast<unsigned>(((word & 0x0101010101010101U) * 0x0102040810204080U) >> 56U);
 }
 
 // Eight cache lines of eight numbers, turned into eight lanes of each number.

@@ -101,7 +101,7 @@ PACKSTONE_LANES std::size_t look_at_balls(const Question& q, Suspect* suspects, 
     }
     for (; hits != 0; hits &= hits - 1) {
       const int l = __builtin_ctz(hits);
-      suspects[count++] = {static_cast<std::int32_t>(first) + l, q.t + time[l], 0.0, {}};
+      suspects[count++] = {static_cast<std::int32_t>(first) + l, q.t + time[l], 0.0};
     }
   }
   return count;
@@ -119,76 +119,101 @@ PACKSTONE_LANES Side side_of(const Columns& c, const Lanes& after, const Lanes& 
   return side;
 }
 
-// Square of what the support is at most, up to the remainder, a time h from now; size factors s now
-// and s_h then. q: n.Xn.
-PACKSTONE_LANES Lanes support_later(const Side& side, const Lanes3& n, const Lanes& along,
+// What the support of a body is at most a time h from now: root(square) + remainder. Size factors s
+// now and s_h then; q: n.Xn now.
+struct Later {
+  Lanes square, remainder;
+};
+
+PACKSTONE_LANES Later support_later(const Side& side, const Lanes3& n, const Lanes& along,
                                     const Lanes& q, double s, const Lanes& s_h, double growth,
                                     const Lanes& h, const Lanes& reach) {
   const Lanes3 k = cross(n, side.angular);
-  const Lanes kk = dot(k, k), k_along = dot(k, side.axis);
+  const Lanes k_along = dot(k, side.axis);
   const Lanes n_k = side.extra * along * k_along;
-  const Lanes k_k = side.lateral * kk + side.extra * k_along * k_along;
+  const Lanes k_k = side.lateral * dot(k, k) + side.extra * k_along * k_along;
   const Lanes sh = s * h;
   const Lanes square = s_h * s_h * q + sh * (2.0 * s_h * n_k + sh * k_k);
-  // Equation (2) of plane_bound.hpp without a turning plane: R |k| h^2 (g + s_h |w| / 2).
-  const Lanes remainder = reach * root(kk) * (h * h) * (growth + 0.5 * s_h * side.turn);
-  return root(larger(square, Lanes{})) + remainder;
+  // Equation (2) of plane_bound.hpp without a turning plane: R |k| h^2 (g + s_h |w| / 2), with the
+  // sum of the components in place of the length.
+  const Lanes length = magnitude(k.x) + magnitude(k.y) + magnitude(k.z);
+  return {larger(square, Lanes{}), reach * length * (h * h) * (growth + 0.5 * s_h * side.turn)};
+}
+
+// reach > root(p) + root(q), with one root for two.
+PACKSTONE_LANES Mask exceeds_roots(const Lanes& reach, const Lanes& p, const Lanes& q) {
+  return (reach > 0.0) & (reach * reach > p + q + 2.0 * root(p * q));
+}
+
+// The neighbors' l; where none is known yet, what it is for balls.
+PACKSTONE_LANES Lanes known_l(const Question& q, std::size_t first, double reach_a,
+                              const std::int32_t (&body)[8]) {
+  double l[8];
+  for (std::size_t k = 0; k < 8; ++k) {
+    const std::size_t at = first + k;
+    const double hint = at < q.neighbors.size() ? q.neighbors[at].hint[0] : 0.0;
+    const double reach_b = q.bodies.reach[static_cast<std::size_t>(body[k])];
+    l[k] = hint > 0.0 ? hint : reach_a / (reach_a + reach_b);
+  }
+  return lanes_of(l);
+}
+
+// How long the chord of a concave bound says that it stays positive.
+double clear_time(double reach_now, double p, double q, double reach_later, double square_a,
+                  double square_b, double horizon) {
+  const double now = reach_now - std::sqrt(std::max(0.0, p)) - std::sqrt(std::max(0.0, q));
+  const double later = reach_later - std::sqrt(square_a) - std::sqrt(square_b);
+  const double time = horizon * now / (now - later);
+  return now > 0.0 && time > 0.0 ? std::min(time, horizon) : 0.0;
 }
 
 PACKSTONE_LANES std::size_t look_at_revolution(const Question& q, Suspect* suspects) {
   const Bodies& bodies = q.bodies;
   const double s = bodies.size_at(q.t), growth = bodies.growth;
-  const std::int32_t own[8] = {q.i, q.i, q.i, q.i, q.i, q.i, q.i, q.i};
   const Flight& flight = bodies.flight[static_cast<std::size_t>(q.i)];
   Columns own_columns;
   {
     Lanes line;
-    __builtin_memcpy(&line, bodies.spin.data() + own[0], sizeof(Lanes));
+    __builtin_memcpy(&line, bodies.spin.data() + q.i, sizeof(Lanes));
     for (int k = 0; k < 8; ++k) own_columns.c[k] = Lanes{} + line[k];
   }
   const Side a = side_of(own_columns, Lanes{} + (q.t - flight.clock), Lanes{} + flight.turn);
-  const Lanes reach_a = larger(own_columns.c[6], own_columns.c[7]);
+  const double reach_a = bodies.reach[static_cast<std::size_t>(q.i)];
   std::size_t count = 0;
   for (std::size_t first = 0; first < q.neighbors.size(); first += 8) {
     const Group g = group_of(q, first);
     const Columns columns = gathered(bodies.spin.data(), g.body);
     const Side b = side_of(columns, g.after, g.turn);
     const Lanes reach_b = larger(columns.c[6], columns.c[7]);
-    Lanes l;
-    for (int k = 0; k < 8; ++k) {
-      const std::size_t at = first + static_cast<std::size_t>(k);
-      l[k] = at < q.neighbors.size() ? q.neighbors[at].hint[0] : 0.5;
-    }
-    l = l > 0.0 ? l : reach_a / (reach_a + reach_b);
-    const auto plane = plane_step(a, b, g.r, l);
+    const auto plane = plane_step(a, b, g.r, known_l(q, first, reach_a, g.body));
     const Lanes3& n = plane.normal;
     const Lanes nn = dot(n, n);
-    const Lanes p = a.lateral * nn + a.extra * plane.along_a * plane.along_a;
-    const Lanes r = b.lateral * nn + b.extra * plane.along_b * plane.along_b;
+    const Lanes p_a = larger(a.lateral * nn + a.extra * plane.along_a * plane.along_a, Lanes{});
+    const Lanes p_b = larger(b.lateral * nn + b.extra * plane.along_b * plane.along_b, Lanes{});
     const Lanes contact_gap =
         larger(kSmoothContactGap * s * (reach_a + reach_b), Lanes{} + q.coordinate_gap);
     const Lanes slack = contact_gap * (magnitude(n.x) + magnitude(n.y) + magnitude(n.z));
     const Lanes& h = g.horizon;
     const Lanes s_h = s + growth * h;
-    const Lanes reach = dot(n, g.r);
-    const Lanes now = reach - s * (root(larger(p, Lanes{})) + root(larger(r, Lanes{}))) - slack;
-    const Lanes later = reach + h * dot(n, g.velocity) -
-                        support_later(a, n, plane.along_a, p, s, s_h, growth, h, reach_a) -
-                        support_later(b, n, plane.along_b, r, s, s_h, growth, h, reach_b) - slack;
+    const Lanes reach = dot(n, g.r) - slack;
+    const Later of_a =
+        support_later(a, n, plane.along_a, p_a, s, s_h, growth, h, Lanes{} + reach_a);
+    const Later of_b = support_later(b, n, plane.along_b, p_b, s, s_h, growth, h, reach_b);
+    const Lanes reach_later = reach + h * dot(n, g.velocity) - of_a.remainder - of_b.remainder;
+    const Lanes q_a = s * s * p_a, q_b = s * s * p_b;
     // Whatever is not proven, also where it is no number, stays suspect.
-    const Mask clear = (now > 0.0) & (later > 0.0);
+    const Mask clear =
+        exceeds_roots(reach, q_a, q_b) & exceeds_roots(reach_later, of_a.square, of_b.square);
     unsigned hits = ~bits(clear) & g.present;
-    const Lanes time = h * now / (now - later);
-    for (int k = 0; k < 8; ++k) {
-      const std::size_t at = first + static_cast<std::size_t>(k);
-      if (at < q.neighbors.size()) q.neighbors[at].hint[0] = static_cast<float>(plane.l[k]);
+    for (std::size_t k = 0; k < 8 && first + k < q.neighbors.size(); ++k) {
+      q.neighbors[first + k].hint[0] = static_cast<float>(plane.l[k]);
     }
     for (; hits != 0; hits &= hits - 1) {
       const int k = __builtin_ctz(hits);
       suspects[count++] = {static_cast<std::int32_t>(first) + k,
-                           now[k] > 0.0 ? time[k] : 0.0,
-                           plane.l[k],
-                           {n.x[k], n.y[k], n.z[k]}};
+                           clear_time(reach[k], q_a[k], q_b[k], reach_later[k], of_a.square[k],
+                                      of_b.square[k], h[k]),
+                           plane.l[k]};
     }
   }
   return count;

@@ -25,9 +25,10 @@ namespace packstone::event_driven {
 /// A neighbor that was not cleared.
 struct Suspect {
   std::int32_t neighbor = 0;  ///< Its place in the list.
-  double time = 0.0;  ///< Balls: when they touch. Otherwise a guess at how soon they may [T].
-  double l = 0.0;     ///< Where the plane that was tried was found; not of balls.
-  Vec3 normal;        ///< Its normal.
+  /// Balls: when they touch. Otherwise how long from now they stay apart for certain, as a concave
+  /// bound says that lies above its chord [T].
+  double time = 0.0;
+  double l = 0.0;  ///< Perram and Wertheim's, of the plane that was tried; not of balls.
 };
 
 /// Looks at all neighbors of a body at once.

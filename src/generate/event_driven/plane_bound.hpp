@@ -33,6 +33,46 @@
 
 namespace packstone::event_driven {
 
+/// A time in (0, horizon), as late as a few steps find it, up to which a concave bound stays above
+/// `aim` for certain; given that it does at 0 and does not at the horizon.
+template <class Bound>
+double safe_time(const Bound& bound, double horizon, double aim) {
+  constexpr int kMostRounds = 30;
+  constexpr double kClose = 0.95, kSmall = 1e-3, kShorter = 100.0;
+  double short_of = 1e-6;
+  const double start = bound.at(0.0) - aim;
+  // A tangent lies above: its zero is on the far side. The chord lies below: its zero is on the
+  // safe side.
+  const double rate = bound.slope(0.0);
+  double right = rate < 0.0 ? std::min(horizon, -start / rate) : horizon;
+  double at_right = bound.at(right) - aim;
+  if (at_right >= 0.0) return right;
+  double left = 0.0, at_left = start;
+  for (int round = 0; round < kMostRounds; ++round) {
+    // A little short of it where rounding would take it to the end itself, as for straight bounds;
+    // more so if that was not enough.
+    const double part = std::min(at_left / (at_left - at_right), 1.0 - short_of);
+    short_of = std::min(0.5, kShorter * short_of);
+    const double chord = left + (right - left) * part;
+    const double value = bound.at(chord) - aim;
+    if (value < 0.0) {
+      right = chord;
+      at_right = value;
+      continue;
+    }
+    left = chord;
+    at_left = value;
+    if (left >= kClose * right || at_left < kSmall * start) break;
+    const double slope = bound.slope(right);
+    const double tangent = slope < 0.0 ? right - at_right / slope : right;
+    if (!(tangent > left && tangent < right)) continue;
+    right = tangent;
+    at_right = bound.at(right) - aim;
+    if (at_right >= 0.0) return right;
+  }
+  return left;
+}
+
 /// n(t) = normal + rate t; rate across normal.
 struct MovingPlane {
   Vec3 normal;
@@ -48,10 +88,6 @@ class PlaneBound {
   /// A body that is apart from the plane on either side. `size` and `growth` are s and g.
   void add_body(Form form, const Spin& spin, const Pose& pose, double semi_second, double reach,
                 double size, double growth);
-
-  /// add_body() for a ball or a spheroid and a plane that does not turn.
-  void add_revolution(const Spin& spin, const Vec3& axis, double turn, double reach, double size,
-                      double growth);
 
   /// Adds to G what is known otherwise.
   void raise(double by) { polynomial_[0] += by; }
@@ -170,55 +206,8 @@ inline void PlaneBound::add_body(Form form, const Spin& spin, const Pose& pose, 
   }
 }
 
-inline void PlaneBound::add_revolution(const Spin& spin, const Vec3& axis, double turn,
-                                       double reach, double size, double growth) {
-  const Vec3 k = cross(normal_, spin.angular);
-  const double length = norm(k);
-  polynomial_[2] -= reach * length * (growth + 0.5 * size * turn);
-  polynomial_[3] -= reach * length * (0.5 * growth * turn);
-  const double n_axial = dot(normal_, axis), k_axial = dot(k, axis);
-  const Vec3 n_flat = normal_ - n_axial * axis, k_flat = k - k_axial * axis;
-  const double axial_sq = spin.axial * spin.axial, lateral_sq = spin.lateral * spin.lateral;
-  add_root(axial_sq * n_axial * n_axial + lateral_sq * norm_sq(n_flat),
-           axial_sq * n_axial * k_axial + lateral_sq * dot(n_flat, k_flat),
-           axial_sq * k_axial * k_axial + lateral_sq * norm_sq(k_flat), size, growth);
-}
-
 inline double PlaneBound::safe_until(double horizon, double aim) const {
-  constexpr int kMostRounds = 30;
-  const double start = at(0.0) - aim;
-  double left = 0.0, at_left = start;
-  double right = horizon, at_right = at(horizon) - aim;
-  for (int round = 0; round < kMostRounds; ++round) {
-    // The chord of a concave function lies below it: its zero is on the safe side. The tangent lies
-    // above it: its zero is on the other.
-    const double chord = left + (right - left) * at_left / (at_left - at_right);
-    const double rate = slope(right);
-    const double tangent = rate < 0.0 ? right - at_right / rate : right;
-    if (tangent > left && tangent < right) {
-      right = tangent;
-      at_right = at(right) - aim;
-      if (at_right >= 0.0) return right;
-    }
-    if (chord > left && chord < right) {
-      const double value = at(chord) - aim;
-      if (value >= 0.0) {
-        left = chord;
-        at_left = value;
-      }
-    }
-    const double middle = 0.5 * (left + right);
-    if (left >= 0.95 * right || at_left < 1e-3 * start) break;
-    const double at_middle = at(middle) - aim;
-    if (at_middle >= 0.0) {
-      left = middle;
-      at_left = at_middle;
-    } else {
-      right = middle;
-      at_right = at_middle;
-    }
-  }
-  return left;
+  return safe_time(*this, horizon, aim);
 }
 
 }  // namespace packstone::event_driven

@@ -53,7 +53,10 @@ template <class Number, class Vector>
   const Number c = dot(a.axis, b.axis), ar = dot(a.axis, r), br = dot(b.axis, r);
   const Number y0 = m * a.lateral + l * b.lateral;
   const Number aa = y0 + alpha, bb = y0 + beta;
-  const Number per_det = 1.0 / (aa * bb - alpha * beta * c * c), per_y0 = 1.0 / y0;
+  const Number det = aa * bb - alpha * beta * c * c;
+  // One division for two.
+  const Number per_both = 1.0 / (det * y0);
+  const Number per_det = per_both * y0, per_y0 = per_both * det;
   const Number along_a = (ar * bb - beta * c * br) * per_det;
   const Number along_b = (br * aa - alpha * c * ar) * per_det;
   const Vector n = per_y0 * (r - (alpha * along_a) * a.axis - (beta * along_b) * b.axis);

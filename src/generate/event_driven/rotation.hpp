@@ -19,25 +19,19 @@ struct Rotor {
   Number versine;
 };
 
+/// The sums are taken pairwise, so that their terms do not wait for each other.
 template <class Number>
-inline Rotor<Number> rotor(const Number& angular_sq, const Number& t) {
-  const Number x = -(angular_sq * t * t);
-  Number sine = x * (1.0 / 355687428096000.0) + (1.0 / 1307674368000.0);
-  sine = sine * x + (1.0 / 6227020800.0);
-  sine = sine * x + (1.0 / 39916800.0);
-  sine = sine * x + (1.0 / 362880.0);
-  sine = sine * x + (1.0 / 5040.0);
-  sine = sine * x + (1.0 / 120.0);
-  sine = sine * x + (1.0 / 6.0);
-  sine = sine * x + 1.0;
-  Number versine = x * (1.0 / 6402373705728000.0) + (1.0 / 20922789888000.0);
-  versine = versine * x + (1.0 / 87178291200.0);
-  versine = versine * x + (1.0 / 479001600.0);
-  versine = versine * x + (1.0 / 3628800.0);
-  versine = versine * x + (1.0 / 40320.0);
-  versine = versine * x + (1.0 / 720.0);
-  versine = versine * x + (1.0 / 24.0);
-  versine = versine * x + 0.5;
+[[gnu::always_inline]] inline Rotor<Number> rotor(const Number& angular_sq, const Number& t) {
+  const Number x = angular_sq * t * t;
+  const Number x2 = x * x, x4 = x2 * x2;
+  const Number sine_low = (1.0 - x * (1.0 / 6.0)) + x2 * (1.0 / 120.0 - x * (1.0 / 5040.0));
+  const Number sine_high = (1.0 / 362880.0 - x * (1.0 / 39916800.0)) +
+                           x2 * (1.0 / 6227020800.0 - x * (1.0 / 1307674368000.0));
+  const Number sine = sine_low + x4 * (sine_high + x4 * (1.0 / 355687428096000.0));
+  const Number versine_low = (0.5 - x * (1.0 / 24.0)) + x2 * (1.0 / 720.0 - x * (1.0 / 40320.0));
+  const Number versine_high = (1.0 / 3628800.0 - x * (1.0 / 479001600.0)) +
+                              x2 * (1.0 / 87178291200.0 - x * (1.0 / 20922789888000.0));
+  const Number versine = versine_low + x4 * (versine_high + x4 * (1.0 / 6402373705728000.0));
   return {t * sine, t * t * versine};
 }
 
