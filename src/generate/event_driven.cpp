@@ -125,25 +125,35 @@ class Run {
   [[nodiscard]] bool has_target() const { return options_.goal != EventDrivenGoal::densest; }
   [[nodiscard]] double fraction_at(double size) const { return full_ * std::pow(size, dimension_); }
 
-  // Far from dense the bodies may grow faster: hardly any meet.
+  // Up to this size factor the gas is dilute: hardly any bodies meet, and they may grow faster.
+  [[nodiscard]] double dilute_until() const {
+    constexpr double kDilute = 0.1, kPart = 1.0 / 3.0;
+    return std::pow(std::min(kPart, kDilute / full_), 1.0 / dimension_);
+  }
   [[nodiscard]] double growth_rate_now() const {
-    constexpr double kFastest = 1.0, kDilute = 0.1, kPart = 1.0 / 3.0;
-    const double now = fraction_at(result_.state.size_factor);
-    const bool dilute = now < std::min(kPart * full_, kDilute);
+    constexpr double kFastest = 1.0;
+    const bool dilute = result_.state.size_factor < dilute_until();
     return dilute ? std::max(kFastest, at_.growth_rate) : at_.growth_rate;
   }
 
   edmd::BlockEnd block_end(const Bodies& bodies) const {
-    edmd::BlockEnd end{
-        static_cast<std::int64_t>(std::max(kBlockCollisions * count_, kLeastBlockCollisions)),
-        std::numeric_limits<double>::infinity()};
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr std::int64_t kEventsPerCollision = 1000;
+    edmd::BlockEnd end;
+    end.collisions =
+        static_cast<std::int64_t>(std::max(kBlockCollisions * count_, kLeastBlockCollisions));
+    end.time = kInfinity;
     if (options_.published_stagnation) end.collisions = 50;
     if (!grows()) {
       const double left = options_.collisions_per_body * count_ - at_.still_collisions;
       end.collisions = std::min(end.collisions, static_cast<std::int64_t>(std::ceil(left)));
-    } else if (has_target()) {
-      end.time = (1.0 - bodies.size) / bodies.growth;
+    } else {
+      const double until = bodies.size < dilute_until() ? dilute_until()
+                           : has_target()               ? 1.0
+                                                        : kInfinity;
+      end.time = (until - bodies.size) / bodies.growth;
     }
+    end.events = kEventsPerCollision * end.collisions;
     return end;
   }
 
@@ -162,9 +172,13 @@ class Run {
     const double size_before = bodies.size;
     const edmd::BlockEnd end = block_end(bodies);
     edmd::Engine engine(bodies, state.packing.cell);
-    const edmd::BlockCount block = engine.run_block(end, run_, options_.check_every_event);
-    const bool reached = grows() && block.time >= end.time;
+    const edmd::BlockCount block = engine.run_block(
+        end, run_, options_.check_every_event,
+        [this](double size, std::int64_t collisions) { report(size, collisions); });
+    const bool at_end = grows() && block.time >= end.time;
+    const bool reached = at_end && has_target() && size_before >= dilute_until();
     if (reached) bodies.size = 1.0;
+    if (at_end && !reached) bodies.size = dilute_until();
     if (block.stop != StopRequest::none) return interrupt(bodies, block.stop);
     edmd::store(bodies, state);
     count(block);
@@ -172,7 +186,7 @@ class Run {
     const bool over = is_over(block, reached, size_before);
     edmd::write_numbers(at_, state);
     checkpoint();
-    report();
+    report(state.size_factor, 0);
     return over;
   }
 
@@ -240,8 +254,9 @@ class Run {
 
   bool is_over(const edmd::BlockCount& block, bool reached, double size_before) {
     if (!grows()) {
-      return at_.still_collisions >= options_.collisions_per_body * count_ &&
-             stop(EventDrivenStop::target_reached);
+      // A body alone has nobody to meet.
+      const bool done = at_.still_collisions >= options_.collisions_per_body * count_;
+      return (done || block.collisions == 0) && stop(EventDrivenStop::target_reached);
     }
     if (reached) {
       at_.grown = 1.0;
@@ -252,8 +267,18 @@ class Run {
     if (options_.published_stagnation && gain < kPublishedGain) {
       return stop(EventDrivenStop::stagnated);
     }
-    at_.since_slower += static_cast<double>(block.collisions) / count_;
-    return slow_down(result_.history.back().reduced_pressure);
+    const double each = static_cast<double>(block.collisions) / count_;
+    at_.since_slower += each;
+    return slow_down(crowding(gain, each));
+  }
+
+  // The reduced pressure, or what collisions of the bodies with walls and own images, which it does
+  // not count, make of the growth: a collision per body raises the logarithm of the fraction by
+  // about the growth rate over the reduced pressure.
+  [[nodiscard]] double crowding(double gain, double collisions_each) const {
+    const double pressure = result_.history.back().reduced_pressure;
+    if (!(gain > 0.0)) return std::numeric_limits<double>::infinity();
+    return std::max(pressure, result_.history.back().growth_rate * collisions_each / gain);
   }
 
   // Near jamming, at a fraction phi_J, the reduced pressure is about dimension / (1 - phi / phi_J)
@@ -287,11 +312,13 @@ class Run {
     last_checkpoint_ = now;
   }
 
-  void report() {
-    const double now = fraction_at(result_.state.size_factor);
+  // `collisions`: of the block that is going on.
+  void report(double size, std::int64_t collisions) {
+    const double now = fraction_at(size);
     double done = -1.0;
     if (!grows()) {
-      done = at_.still_collisions / (options_.collisions_per_body * count_);
+      done = (at_.still_collisions + static_cast<double>(collisions)) /
+             (options_.collisions_per_body * count_);
     } else if (options_.goal == EventDrivenGoal::target) {
       done = now / full_;
     }

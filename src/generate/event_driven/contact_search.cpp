@@ -111,7 +111,8 @@ double ContactSearch::gap(std::int32_t i, const Partner& partner, double t) cons
   const Plane plane = now.plane(bodies_.min_gap, {}, Effort::touch);
   const double supports =
       support(now.a, plane.normal) + (now.wall ? 0.0 : support(now.b, plane.normal));
-  return (dot(plane.normal, now.r) - supports) / norm(plane.normal) - bodies_.min_gap;
+  return (dot(plane.normal, now.r) - supports) / norm(plane.normal) -
+         (now.wall ? 0.0 : bodies_.min_gap);
 }
 
 // One of a pair of revolution, on its way from the clock it was stored at.
@@ -286,7 +287,7 @@ Found ContactSearch::first_contact(std::int32_t i, const Partner& partner, doubl
       plane.rate = now.smooth || now.wall
                        ? Vec3{}
                        : normal_rate(now.a, now.b, now.angular_a, now.angular_b, plane.normal);
-      PlaneBound bound(plane, now.r, now.velocity, bodies_.min_gap);
+      PlaneBound bound(plane, now.r, now.velocity, now.wall ? 0.0 : bodies_.min_gap);
       const Spin& spin = bodies_.spin[k];
       const double second = bodies_.second.empty() ? 0.0 : bodies_.second[k].semi_axis;
       bound.add_body(now.a.form, spin, now.a.pose, second, bodies_.reach[k], now.size, growth);

@@ -53,6 +53,7 @@ void Engine::start() {
   queue_.reset(n);
   events_.assign(static_cast<std::size_t>(n), {});
   neighbors_.rebuild_all(0.0);
+  for (std::int32_t i = 0; i < n; ++i) await_exit(i, 0.0);
   for (std::int32_t i = 0; i < n; ++i) predict(i, 0.0);
 }
 
@@ -74,6 +75,13 @@ void Engine::set_event(std::int32_t i, double t, Kind kind, const Neighbor& with
   // The hint of the list of i would be the wrong way round for the other.
   event(with.body) = {kind, reversed(with, i)};
   queue_.set(with.body, t);
+}
+
+// What body i has before anything else of it is known. Others look at it no further than that, as
+// its turn is known no further.
+void Engine::await_exit(std::int32_t i, double t) {
+  event(i).kind = Kind::exit;
+  queue_.set(i, neighbors_.exit_time(i, t));
 }
 
 void Engine::predict(std::int32_t i, double t) {
@@ -158,12 +166,8 @@ void Engine::carry_out_collision(std::int32_t i, double t) {
   count_.virial += collide(bodies_, i, partner, contact, t);
   ++count_.collisions;
   if (is_wall(with.body)) ++count_.wall_collisions;
-  event(i).kind = Kind::none;
-  queue_.set(i, std::numeric_limits<double>::infinity());
-  if (two) {
-    event(with.body).kind = Kind::none;
-    queue_.set(with.body, std::numeric_limits<double>::infinity());
-  }
+  await_exit(i, t);
+  if (two) await_exit(with.body, t);
   predict(i, t);
   if (two) predict(with.body, t);
 }
@@ -173,8 +177,7 @@ void Engine::carry_out(std::int32_t i, double t) {
   if (event(i).kind == Kind::collision) return carry_out_collision(i, t);
   bodies_.advance(i, t);
   if (neighbors_.room_left(i, t) < kLittleRoom) neighbors_.rebuild(i, t);
-  event(i).kind = Kind::none;
-  queue_.set(i, std::numeric_limits<double>::infinity());
+  await_exit(i, t);
   predict(i, t);
 }
 
@@ -212,14 +215,16 @@ void Engine::finish(double t) {
   count_.time = t;
 }
 
-BlockCount Engine::run_block(const BlockEnd& end, RunContext& run, bool check_all) {
-  constexpr std::int64_t kPoll = 128;
+BlockCount Engine::run_block(const BlockEnd& end, const RunContext& run, bool check_all,
+                             const Watch& watch) {
+  constexpr std::int64_t kPoll = 128, kTell = 8192;
   count_ = {};
   const SearchCount before = search_.count();
   const std::int64_t rebuilds = neighbors_.rebuilds();
   start();
   double now = 0.0;
-  for (std::int64_t events = 0; count_.collisions < end.collisions; ++events) {
+  for (std::int64_t events = 0; count_.collisions < end.collisions && events < end.events;
+       ++events) {
     const std::int32_t i = queue_.next();
     if (queue_.time(i) >= end.time) {
       now = end.time;
@@ -229,6 +234,7 @@ BlockCount Engine::run_block(const BlockEnd& end, RunContext& run, bool check_al
     if (events % kPoll == 0) {
       count_.stop = run.stop_request();
       if (count_.stop != StopRequest::none) break;
+      if (watch && events % kTell == 0) watch(bodies_.size_at(now), count_.collisions);
     }
     carry_out(i, now);
     if (check_all) count_.least_gap = std::min(count_.least_gap, least_gap(now));

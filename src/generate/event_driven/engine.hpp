@@ -11,6 +11,8 @@
 /// own: nobody moves but in his own events.
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,7 +31,11 @@ namespace packstone::event_driven {
 struct BlockEnd {
   std::int64_t collisions = 0;  ///< So many have happened.
   double time = 0.0;            ///< [T]
+  std::int64_t events = std::numeric_limits<std::int64_t>::max();  ///< So many events have.
 };
+
+/// Called now and then with the size factor and the collisions of the block so far.
+using Watch = std::function<void(double size, std::int64_t collisions)>;
 
 /// What a block has counted.
 struct BlockCount {
@@ -51,7 +57,8 @@ class Engine {
 
   /// Clocks stand at 0, and at 0 again afterwards, with the size factor of then. Interrupted, the
   /// block ends where it is. `check_all`: look at all pairs after every event.
-  BlockCount run_block(const BlockEnd& end, RunContext& run, bool check_all);
+  BlockCount run_block(const BlockEnd& end, const RunContext& run, bool check_all,
+                       const Watch& watch = {});
 
   /// The least gap over all pairs and images at time t, infinite when none come near [L]. N^2 of
   /// work.
@@ -67,6 +74,7 @@ class Engine {
   void start();
   void carry_out(std::int32_t i, double t);
   void carry_out_collision(std::int32_t i, double t);
+  void await_exit(std::int32_t i, double t);
   void predict(std::int32_t i, double t);
   void look_at(std::int32_t i, std::span<Neighbor> list, std::size_t k, double t, Vec3 normal);
   void search_suspect(std::int32_t i, std::span<Neighbor> list, const Suspect& suspect, double t);

@@ -159,17 +159,32 @@ class Ascent {
     return 0.0;
   }
 
+  // Where body k comes nearest along `toward`, rods with the end that they are known to turn there.
+  [[nodiscard]] Vec3 nearest_point(std::size_t k, const Vec3& toward) const {
+    if (!is_rod(k)) return support_point(*body_[k], toward);
+    const PosedBody& rod = *body_[k];
+    const double sign = k == 0 ? 1.0 : -1.0;
+    const Vec3 end = (sign * end_[k] * rod.axial) * rod.pose.axis;
+    if (rod.form == Form::spherocylinder) return end + rod.lateral * toward;
+    const Vec3 flat = toward - dot(toward, rod.pose.axis) * rod.pose.axis;
+    const double length = norm(flat);
+    return length > 0.0 ? end + (rod.lateral / length) * flat : end;
+  }
+
   // Where along its axis, from its center, the side of rod k is touched [L].
   [[nodiscard]] double touched_at(std::size_t k) const {
     const std::size_t other = 1 - k;
     const double sign = k == 0 ? 1.0 : -1.0;
-    if (on_side_[other]) {
-      const double c = dot(axis(0), axis(1)), sine_sq = 1.0 - c * c;
-      const double along = dot(r_, axis(k)), along_other = dot(r_, axis(other));
-      return sine_sq > 1e-18 ? sign * (along - c * along_other) / sine_sq : 0.0;
+    if (!on_side_[other]) {
+      return dot(axis(k), sign * r_ + nearest_point(other, -sign * d_));
     }
-    const Vec3 toward = -sign * d_;
-    return dot(axis(k), sign * r_ + support_point(*body_[other], toward));
+    constexpr double kParallel = 1e-18;
+    const double c = dot(axis(0), axis(1)), sine_sq = norm_sq(cross(axis(0), axis(1)));
+    const double along = sign * dot(r_, axis(k)), along_other = sign * dot(r_, axis(other));
+    if (sine_sq > kParallel) return (along - c * along_other) / sine_sq;
+    // Parallel sides touch along a line, if they lie side by side at all.
+    const double beyond = std::abs(along) - body_[other]->axial;
+    return beyond > 0.0 ? std::copysign(beyond, along) : 0.0;
   }
 
   // A rod whose side is not rightly touched goes out of the set: its end is. False: none does.
@@ -239,8 +254,12 @@ Body general_body(const PosedBody& p) {
 
 Vec3 ascend_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& start,
                 double accuracy) {
+  // Below 0 the gap can have other maxima along the sphere than the largest.
+  const double least = -1e-9 * norm(r);
   Ascent ascent(a, b, r, start);
-  if (ascent.run(accuracy)) return ascent.direction();
+  if (ascent.run(accuracy) && gap_along(a, b, r, ascent.direction()) > least) {
+    return ascent.direction();
+  }
   return gap(general_body(a), general_body(b), r).normal;
 }
 

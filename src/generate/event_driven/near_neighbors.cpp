@@ -9,8 +9,8 @@ namespace {
 // Numbers of neighbors that runs are fastest with, as measured: more of them where bodies are so
 // long that finding them takes long.
 constexpr double kFewNeighbors = 14.0;
-constexpr double kManyNeighbors = 30.0;
-constexpr double kWideNeighbors = 250.0;
+constexpr double kManyNeighbors = 40.0;
+constexpr double kWideNeighbors = 150.0;
 constexpr double kLong = 5.0;
 // Least margin of a wide neighborhood, over that of the near one.
 constexpr double kLeastWidth = 2.0;

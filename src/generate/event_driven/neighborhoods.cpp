@@ -66,7 +66,7 @@ void Neighborhoods::set(std::int32_t i, double t, double margin) {
 
 double Neighborhoods::reach(std::int32_t i) const {
   const auto k = static_cast<std::size_t>(i);
-  return size_[k] * bodies_.reach[k] + margin_[k];
+  return size_[k] * bodies_.reach[k] + margin_[k] + 0.5 * bodies_.min_gap;
 }
 
 Capsule Neighborhoods::capsule(std::int32_t i) const {
@@ -78,7 +78,7 @@ Capsule Neighborhoods::capsule(std::int32_t i) const {
     radius = std::max(radius, size_[k] * bodies_.second[k].semi_axis);
   }
   const double half = is_ellipsoid(bodies_.form[k]) ? line.axial - radius : line.axial;
-  return {place, line.axis, std::max(0.0, half), radius + margin_[k]};
+  return {place, line.axis, std::max(0.0, half), radius + margin_[k] + 0.5 * bodies_.min_gap};
 }
 
 Neighbor Neighborhoods::neighbor(std::int32_t i, std::int32_t j,
@@ -122,7 +122,7 @@ void Neighborhoods::bound_gaps(std::int32_t i, std::span<const Neighbor> others,
 void Neighborhoods::keep_near(std::int32_t i, std::vector<Neighbor>& others) const {
   if (others.empty()) return;
   gaps_.resize(others.size());
-  const double margin = margin_[static_cast<std::size_t>(i)];
+  const double margin = margin_[static_cast<std::size_t>(i)] + bodies_.min_gap;
   if (revolution_) {
     event_driven::bound_near_gaps(line_[static_cast<std::size_t>(i)], margin, line_.data(),
                                   margin_.data(), others, cell_.size, gaps_.data());

@@ -22,6 +22,8 @@ namespace packstone::event_driven {
 /// slope of its support function on the unit sphere:
 ///
 ///     |c - c_0| + s_0 l angle + (s - s_0) R                                                 (1)
+///
+/// Where a least gap is to be kept, neighborhoods meet that come within it.
 class Neighborhoods {
  public:
   Neighborhoods(const Bodies& bodies, const Cell& cell);
@@ -31,9 +33,9 @@ class Neighborhoods {
   void set_margin(std::int32_t i, double margin) { margin_[static_cast<std::size_t>(i)] = margin; }
 
   [[nodiscard]] double margin(std::int32_t i) const { return margin_[static_cast<std::size_t>(i)]; }
-  /// Radius of a ball about the center that holds the neighborhood [L].
+  /// Radius of a ball about the center that holds the neighborhood, and half of the least gap [L].
   [[nodiscard]] double reach(std::int32_t i) const;
-  /// A capsule that holds it, its center wrapped into the cell.
+  /// A capsule that holds the same, its center wrapped into the cell.
   [[nodiscard]] Capsule capsule(std::int32_t i) const;
   /// The neighbor that the image of body j, `image` periods off its place, is of body i at its own.
   [[nodiscard]] Neighbor neighbor(std::int32_t i, std::int32_t j,

@@ -118,12 +118,31 @@ double gap_along(const PosedBody& a, const PosedBody& b, const Vec3& r, const Ve
   return dot(unit, r) - support(a, unit) - support(b, unit);
 }
 
-// Does the plane rest on a whole line or side of the body?
-bool rests_on_side(const PosedBody& body, const Vec3& n) {
+// What of a body a plane rests on.
+enum class Rest { point, line, flat };
+
+Rest rest_of(const PosedBody& body, const Vec3& n) {
   constexpr double kOnSide = 1e-5;
-  if (is_ellipsoid(body.form)) return false;
+  if (is_ellipsoid(body.form)) return Rest::point;
   const double x = std::abs(dot(body.pose.axis, n));
-  return x < kOnSide || (body.form == Form::cylinder && 1.0 - x < kOnSide * kOnSide);
+  if (x < kOnSide) return Rest::line;
+  return body.form == Form::cylinder && 1.0 - x < kOnSide * kOnSide ? Rest::flat : Rest::point;
+}
+
+// A point that the sides of two rods share when they touch, from the center of a: where lines
+// cross, where a line comes nearest to the middle of a flat end, between the middles of two flat
+// ends.
+Vec3 shared_point(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& n, Rest of_a,
+                  Rest of_b) {
+  const NearestPoints axes = nearest_points({a.axial, a.pose.axis}, {b.axial, b.pose.axis}, r);
+  const auto on_plane = [&](const Vec3& from_axis, double height) {
+    return from_axis - dot(from_axis, n) * n + height * n;
+  };
+  const Vec3 on_a = on_plane(axes.on_a, support(a, n));
+  const Vec3 on_b = on_plane(r + axes.on_b, dot(r, n) - support(b, n));
+  double part_b = of_a == of_b ? 0.5 : of_a == Rest::line ? 0.0 : 1.0;
+  if (of_a == Rest::flat && of_b == Rest::flat) part_b = a.lateral / (a.lateral + b.lateral);
+  return on_a + part_b * (on_b - on_a);
 }
 
 // The points where both come nearest. One that rests on a side is met where the other one is.
@@ -132,15 +151,14 @@ void set_points(const PosedBody& a, const PosedBody& b, const Vec3& r, Plane& pl
   plane.point_a = support_point(a, n);
   plane.point_b = support_point(b, -n);
   const double gap = gap_along(a, b, r, n);
-  const bool a_rests = rests_on_side(a, n), b_rests = rests_on_side(b, -n);
-  if (a_rests && b_rests) {
-    const NearestPoints axes = nearest_points({a.axial, a.pose.axis}, {b.axial, b.pose.axis}, r);
-    const Vec3 middle = 0.5 * (axes.on_a + support(a, n) * n + r + axes.on_b - support(b, n) * n);
-    plane.point_a = middle - 0.5 * gap * n;
-    plane.point_b = middle + 0.5 * gap * n - r;
-  } else if (a_rests) {
+  const Rest of_a = rest_of(a, n), of_b = rest_of(b, n);
+  if (of_a != Rest::point && of_b != Rest::point) {
+    const Vec3 shared = shared_point(a, b, r, n, of_a, of_b);
+    plane.point_a = shared + (support(a, n) - dot(shared, n)) * n;
+    plane.point_b = plane.point_a + gap * n - r;
+  } else if (of_a != Rest::point) {
     plane.point_a = r + plane.point_b - gap * n;
-  } else if (b_rests) {
+  } else if (of_b != Rest::point) {
     plane.point_b = plane.point_a + gap * n - r;
   }
 }
