@@ -4,7 +4,7 @@ BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
 DEMO := fibers spheres ellipses_2d dense_ellipsoids
 
-.PHONY: help setup setup-test build demo test validate bench format check-format layers tidy sanitize tsan fuzz coverage install clean
+.PHONY: help setup setup-test build demo test validate bench reproduce format check-format layers tidy sanitize tsan fuzz coverage install clean
 
 help:  ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -34,6 +34,12 @@ validate:  ## Slow tests: published numbers, ten million pairs (needs make test 
 
 bench:  ## Build and run every benchmark (needs make test before)
 	@for b in build/benchmarks/bench_*; do echo "== $$b"; $$b; done
+
+reproduce:  ## Measure what Ghossein and Levesque (2013) report; writes docs/reproduction/ (half an hour)
+	@tools/install_dependencies build reproduce
+	cmake --preset release -DPACKSTONE_BUILD_BENCHMARKS=ON $(CMAKE_FLAGS)
+	cmake --build --preset release -j $(BUILD_JOBS) --target packstone_cli bench_event_driven
+	/usr/bin/python3 tools/reproduce_ghossein_levesque --build build
 
 format:  ## Format all C++ sources
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i
