@@ -29,6 +29,9 @@ using edmd::Progressed;
 // gas heat up much.
 constexpr double kBlockCollisions = 10.0;
 constexpr double kLeastBlockCollisions = 200.0;
+// While a gas is thin its pressure, which decides on the growth rate, changes fast.
+constexpr double kThinBlockCollisions = 3.0;
+constexpr double kThin = 6.0;  // Reduced pressure.
 
 void refuse(const char* field, double value, const char* allowed) {
   throw InvalidArgument(
@@ -130,10 +133,16 @@ class Run {
     constexpr double kDilute = 0.1, kPart = 1.0 / 3.0;
     return std::pow(std::min(kPart, kDilute / full_), 1.0 / dimension_);
   }
+  // In a thin gas bodies may grow faster than where they crowd: there is room to get out of the
+  // way.
+  [[nodiscard]] bool is_thin() const { return at_.pressure > 0.0 && at_.pressure < kThin; }
   [[nodiscard]] double growth_rate_now() const {
     constexpr double kFastest = 1.0;
-    const bool dilute = result_.state.size_factor < dilute_until();
-    return dilute ? std::max(kFastest, at_.growth_rate) : at_.growth_rate;
+    const double fastest = std::max(kFastest, at_.growth_rate);
+    if (result_.state.size_factor < dilute_until()) return fastest;
+    if (!is_thin()) return at_.growth_rate;
+    const double part = kThin / at_.pressure;
+    return std::min(fastest, at_.growth_rate * part * part);
   }
 
   edmd::BlockEnd block_end(const Bodies& bodies) const {
@@ -242,6 +251,7 @@ class Run {
          .nematic_order = nematic_order(result_.state.packing)});
     EventDrivenReport& report = result_.report;
     report.reduced_pressure = result_.history.back().reduced_pressure;
+    at_.pressure = report.reduced_pressure;
     if (grows()) return;
     report.reduced_pressure = reduced_pressure(bodies, at_.virial, at_.still_time);
     report.energy_drift = std::abs(edmd::total_energy(bodies) / at_.energy - 1.0);
@@ -347,7 +357,7 @@ class Run {
 };
 
 // Nothing stands yet that could be kept.
-EventDrivenResult interrupted_at_start(MovingPacking start, const RunContext& run) {
+EventDrivenResult interrupted_at_start(const MovingPacking& start, const RunContext& run) {
   EventDrivenResult result;
   result.stop = run.stop_request() == StopRequest::cancelled ? EventDrivenStop::cancelled
                                                              : EventDrivenStop::out_of_time;
@@ -372,7 +382,7 @@ EventDrivenResult event_driven_pack(const Cell& cell, const std::vector<OrderedB
   check_options(cell, options);
   check_bodies(cell, bodies, options);
   MovingPacking start = edmd::starting_points(cell, bodies, options, run);
-  if (start.size_factor == 0.0) return interrupted_at_start(std::move(start), run);
+  if (start.size_factor == 0.0) return interrupted_at_start(start, run);
   edmd::draw_velocities(options.seed, options, start);
   return Run(std::move(start), options, std::move(run), checkpointing).result();
 }

@@ -12,7 +12,7 @@ namespace packstone::event_driven {
 namespace {
 
 using Member = double Progressed::*;
-constexpr std::array<std::pair<std::string_view, Member>, 9> kNumbers{{
+constexpr std::array<std::pair<std::string_view, Member>, 10> kNumbers{{
     {"growth_rate", &Progressed::growth_rate},
     {"time", &Progressed::time},
     {"collisions", &Progressed::collisions},
@@ -21,6 +21,7 @@ constexpr std::array<std::pair<std::string_view, Member>, 9> kNumbers{{
     {"energy", &Progressed::energy},
     {"still_collisions", &Progressed::still_collisions},
     {"virial", &Progressed::virial},
+    {"pressure", &Progressed::pressure},
     {"still_time", &Progressed::still_time},
 }};
 
