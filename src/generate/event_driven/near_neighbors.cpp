@@ -33,6 +33,11 @@ NearNeighbors::NearNeighbors(const Bodies& bodies, const Cell& cell)
     margin_scale_.push_back(std::cbrt(least * least * bodies.reach[k]));
     aspects += bodies.reach[k] / least;
   }
+  // Beside bodies much larger than most there are small ones: it is their distances that count.
+  constexpr double kLargest = 2.0;
+  double mean = 0.0;
+  for (const double scale : margin_scale_) mean += scale / static_cast<double>(n);
+  for (double& scale : margin_scale_) scale = std::min(scale, kLargest * mean);
   const bool long_bodies = aspects > kLong * static_cast<double>(n);
   wanted_ = long_bodies ? kManyNeighbors : kFewNeighbors;
   if (cell.dimension == 2) wanted_ *= 0.6;
