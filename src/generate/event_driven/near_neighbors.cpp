@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "packstone/structure/images.hpp"
+
 namespace packstone::event_driven {
 namespace {
 
@@ -53,18 +55,10 @@ void NearNeighbors::gather(const Neighborhoods& level, std::int32_t i) {
   grid_.query(level.capsule(i), [&](std::int32_t j, const ReferenceGrid::Image& image) {
     if (j != i) candidates_.push_back(level.neighbor(i, j, image));
   });
-  std::array<int, 3> last{};
-  for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
-    if (cell_.periodic[a]) last[a] = static_cast<int>(std::floor(2.0 * reach / cell_.size[a]));
-  }
-  if (last[0] + last[1] + last[2] == 0) return;
-  for (int z = 0; z <= last[2]; ++z) {
-    for (int y = z > 0 ? -last[1] : 0; y <= last[1]; ++y) {
-      for (int x = z > 0 || y > 0 ? -last[0] : 1; x <= last[0]; ++x) {
-        candidates_.push_back(level.neighbor(i, i, {x, y, z}));
-      }
-    }
-  }
+  for_own_images(cell_, {reach, reach, reach}, 0.0, [&](const std::array<int, 3>& image) {
+    candidates_.push_back(level.neighbor(i, i, image));
+    return true;
+  });
 }
 
 // Makes the wide list of body i anew. Capsules, as the grid knows them, are close enough for it.
