@@ -65,6 +65,10 @@ struct Bodies {
 
   [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(flight.size()); }
   [[nodiscard]] double size_at(double t) const { return size + growth * t; }
+  /// Of scalene bodies; of others it means nothing [L].
+  [[nodiscard]] double second_semi_axis(std::size_t k) const {
+    return second.empty() ? 0.0 : second[k].semi_axis;
+  }
 
   [[nodiscard]] Pose pose(std::int32_t i, double t) const {
     const auto k = static_cast<std::size_t>(i);

@@ -26,6 +26,25 @@ Vec3 touching_point(const Revolution<double, Vec3>& body, const Spin& spin, cons
   return image / support;
 }
 
+// A gap that opens is taken for a part of the gap that counts as contact at least, so that the
+// search gets away from it. Returns it as it is then; `length` is that of the normal of the bound.
+template <class Bound>
+double held_open(Bound& bound, double gap, double contact_gap, double length) {
+  constexpr double kLeast = 0.1;
+  const double lift = std::max(0.0, kLeast * contact_gap - gap);
+  bound.raise(lift * length);
+  return gap + lift;
+}
+
+// From the center of body i to that of its partner, another body or an image, at t.
+Vec3 between_centers(const Bodies& bodies, std::int32_t i, const Partner& partner, double t) {
+  if (partner.body == i) return partner.shift;
+  const Flight& a = bodies.flight[static_cast<std::size_t>(i)];
+  const Flight& b = bodies.flight[static_cast<std::size_t>(partner.body)];
+  return (b.center - a.center) + partner.shift + (t - b.clock) * b.velocity -
+         (t - a.clock) * a.velocity;
+}
+
 // The plane that separates by most.
 RevolutionPlane<double, Vec3> best_plane(const Revolution<double, Vec3>& a,
                                          const Revolution<double, Vec3>& b, const Vec3& r,
@@ -165,9 +184,7 @@ Contact ContactSearch::contact_of_revolution(std::int32_t i, const Partner& part
   const Flight& flight_a = bodies_.flight[static_cast<std::size_t>(i)];
   const Flight& flight_b = bodies_.flight[static_cast<std::size_t>(partner.body)];
   Contact contact;
-  contact.between = (flight_b.center - flight_a.center) + partner.shift +
-                    (t - flight_b.clock) * flight_b.velocity -
-                    (t - flight_a.clock) * flight_a.velocity;
+  contact.between = between_centers(bodies_, i, partner, t);
   const double size = bodies_.size_at(t);
   const Revolution<double, Vec3> now_a = a.at(t), now_b = b.at(t);
   const bool balls = a.form == Form::ball && b.form == Form::ball;
@@ -216,11 +233,7 @@ Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& 
   const Flight& flight_a = bodies_.flight[static_cast<std::size_t>(i)];
   const Flight& flight_b = bodies_.flight[static_cast<std::size_t>(partner.body)];
   const Vec3 velocity = flight_b.velocity - flight_a.velocity;
-  const bool own_image = partner.body == i;
-  const Vec3 from = own_image ? partner.shift
-                              : (flight_b.center - flight_a.center) + partner.shift +
-                                    (t - flight_b.clock) * flight_b.velocity -
-                                    (t - flight_a.clock) * flight_a.velocity;
+  const Vec3 from = between_centers(bodies_, i, partner, t);
   const double contact_gap = this->contact_gap(i, partner, t);
   RevolutionPlane<double, Vec3> plane{{}, suspicion.l, 0.0, 0.0};
   double time = t + suspicion.clear;
@@ -249,10 +262,7 @@ Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& 
     }
     if (gap <= contact_gap) {
       if (bound.slope_now() < 0.0) return {Finding::contact, time};
-      constexpr double kLeast = 0.1;
-      const double lift = std::max(0.0, kLeast * contact_gap - gap);
-      bound.raise(lift * length);
-      gap += lift;
+      gap = held_open(bound, gap, contact_gap, length);
     }
     const double rest = horizon - time;
     if (bound.at(rest) >= 0.0) return {};
@@ -289,13 +299,12 @@ Found ContactSearch::first_contact(std::int32_t i, const Partner& partner, doubl
                        : normal_rate(now.a, now.b, now.angular_a, now.angular_b, plane.normal);
       PlaneBound bound(plane, now.r, now.velocity, now.wall ? 0.0 : bodies_.min_gap);
       const Spin& spin = bodies_.spin[k];
-      const double second = bodies_.second.empty() ? 0.0 : bodies_.second[k].semi_axis;
+      const double second = bodies_.second_semi_axis(k);
       bound.add_body(now.a.form, spin, now.a.pose, second, bodies_.reach[k], now.size, growth);
       if (!two) return bound;
       const auto j = static_cast<std::size_t>(partner.body);
-      bound.add_body(now.b.form, bodies_.spin[j], now.b.pose,
-                     bodies_.second.empty() ? 0.0 : bodies_.second[j].semi_axis, bodies_.reach[j],
-                     now.size, growth);
+      bound.add_body(now.b.form, bodies_.spin[j], now.b.pose, bodies_.second_semi_axis(j),
+                     bodies_.reach[j], now.size, growth);
       return bound;
     };
     PlaneBound bound = bound_of();
@@ -314,10 +323,7 @@ Found ContactSearch::first_contact(std::int32_t i, const Partner& partner, doubl
       const bool closes =
           now.smooth ? bound.slope(0.0) < 0.0 : contact(i, partner, time, normal).approach > 0.0;
       if (closes) return {Finding::contact, time};
-      constexpr double kLeast = 0.1;
-      const double lift = std::max(0.0, kLeast * contact_gap - gap);
-      bound.raise(lift * length);
-      gap += lift;
+      gap = held_open(bound, gap, contact_gap, length);
     }
     const double rest = horizon - time;
     if (bound.at(rest) >= 0.0) return {};

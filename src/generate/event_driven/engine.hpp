@@ -29,8 +29,8 @@ namespace packstone::event_driven {
 
 /// Where a block of events ends, whichever comes first.
 struct BlockEnd {
-  std::int64_t collisions = 0;  ///< So many have happened.
-  double time = 0.0;            ///< [T]
+  std::int64_t collisions = 0;                                     ///< So many have happened.
+  double time = 0.0;                                               ///< [T]
   std::int64_t events = std::numeric_limits<std::int64_t>::max();  ///< So many events have.
 };
 

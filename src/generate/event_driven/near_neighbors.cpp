@@ -30,7 +30,7 @@ NearNeighbors::NearNeighbors(const Bodies& bodies, const Cell& cell)
   const std::size_t n = bodies.flight.size();
   double aspects = 0.0;
   for (std::size_t k = 0; k < n; ++k) {
-    const double second = bodies.second.empty() ? 0.0 : bodies.second[k].semi_axis;
+    const double second = bodies.second_semi_axis(k);
     const double least = least_semi_axis(bodies.form[k], bodies.spin[k], second);
     margin_scale_.push_back(std::cbrt(least * least * bodies.reach[k]));
     aspects += bodies.reach[k] / least;

@@ -32,7 +32,7 @@ double slope_of(Form form, const Spin& spin, double second) {
 std::vector<double> slopes_of(const Bodies& bodies) {
   std::vector<double> slopes;
   for (std::size_t k = 0; k < bodies.flight.size(); ++k) {
-    const double second = bodies.second.empty() ? 0.0 : bodies.second[k].semi_axis;
+    const double second = bodies.second_semi_axis(k);
     slopes.push_back(slope_of(bodies.form[k], bodies.spin[k], second));
   }
   return slopes;
@@ -95,7 +95,7 @@ Neighbor Neighborhoods::neighbor(std::int32_t i, std::int32_t j,
 
 PosedBody Neighborhoods::body(std::int32_t i) const {
   const auto k = static_cast<std::size_t>(i);
-  const double second = bodies_.second.empty() ? 0.0 : size_[k] * bodies_.second[k].semi_axis;
+  const double second = size_[k] * bodies_.second_semi_axis(k);
   return {bodies_.form[k],
           {line_[k].center, line_[k].axis, second_.empty() ? Vec3{} : second_[k]},
           line_[k].axial,

@@ -30,7 +30,6 @@ class Neighborhoods {
 
   /// Takes the pose of body i at t, its clock then or before.
   void set(std::int32_t i, double t, double margin);
-  void set_margin(std::int32_t i, double margin) { margin_[static_cast<std::size_t>(i)] = margin; }
 
   [[nodiscard]] double margin(std::int32_t i) const { return margin_[static_cast<std::size_t>(i)]; }
   /// Radius of a ball about the center that holds the neighborhood, and half of the least gap [L].

@@ -168,7 +168,7 @@ void set_points(const PosedBody& a, const PosedBody& b, const Vec3& r, Plane& pl
 PosedBody posed(const Bodies& bodies, std::int32_t i, const Pose& pose, double factor) {
   const auto k = static_cast<std::size_t>(i);
   const Spin& spin = bodies.spin[k];
-  const double second = bodies.second.empty() ? 0.0 : bodies.second[k].semi_axis;
+  const double second = bodies.second_semi_axis(k);
   return {bodies.form[k], pose, factor * spin.axial, factor * second, factor * spin.lateral};
 }
 

@@ -21,7 +21,7 @@ struct Progressed {
   double energy = 0.0;            ///< equilibrium: at its begin.
   double still_collisions = 0.0;  ///< equilibrium: collisions since.
   double virial = 0.0;            ///< equilibrium: since.
-  double pressure = 0.0;      ///< Reduced, of the last block; 0: not known.
+  double pressure = 0.0;          ///< Reduced, of the last block; 0: not known.
   double still_time = 0.0;        ///< equilibrium: since.
 };
 

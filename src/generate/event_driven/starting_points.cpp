@@ -150,14 +150,12 @@ MovingPacking starting_points(const Cell& cell, const std::vector<OrderedBody>& 
     place_at_random(state, options);
     return state;
   }
-  {
-    const EventDrivenOptions of_balls{.growth_rate = 1.0, .seed = options.seed};
-    const EventDrivenResult spread =
-        event_driven_pack(cell, balls_of(cell, bodies, options.min_gap), of_balls, run);
-    if (spread.stop != EventDrivenStop::target_reached) return state;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      state.packing.inclusions[k].center = spread.packing.inclusions[k].center;
-    }
+  const EventDrivenOptions of_balls{.growth_rate = 1.0, .seed = options.seed};
+  const EventDrivenResult spread =
+      event_driven_pack(cell, balls_of(cell, bodies, options.min_gap), of_balls, run);
+  if (spread.stop != EventDrivenStop::target_reached) return state;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    state.packing.inclusions[k].center = spread.packing.inclusions[k].center;
   }
   constexpr double kSmallest = 1e-12;
   double size = first_guess(state.packing);
