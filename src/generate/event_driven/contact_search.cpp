@@ -9,6 +9,7 @@
 #include "generate/event_driven/plane_search.hpp"
 #include "generate/event_driven/revolution_bound.hpp"
 #include "generate/event_driven/revolution_pair.hpp"
+#include "generate/event_driven/touching_points.hpp"
 
 namespace packstone::event_driven {
 namespace {
@@ -17,8 +18,8 @@ constexpr int kMostSteps = 200;
 
 // The point of a body of revolution at size factor 1 that lies farthest along the unit vector n,
 // and how far that is.
-Vec3 touching_point(const Revolution<double, Vec3>& body, const Spin& spin, const Vec3& n,
-                    double& support) {
+Vec3 revolution_point(const Revolution<double, Vec3>& body, const Spin& spin, const Vec3& n,
+                      double& support) {
   const double along = dot(n, body.axis);
   const Vec3 image =
       (spin.axial * spin.axial * along) * body.axis + body.lateral * (n - along * body.axis);
@@ -73,9 +74,24 @@ struct ContactSearch::Instant {
   bool wall = false;
   bool smooth = true;  // Kernels of ellipsoids do.
 
-  [[nodiscard]] Plane plane(double min_gap, const Vec3& known, Effort effort) const {
-    if (wall) return {r, {}, {}};
-    return find_plane(a, b, r, min_gap, known, effort);
+  [[nodiscard]] Vec3 normal(double min_gap, const Vec3& known, Effort effort) const {
+    return wall ? r : find_plane(a, b, r, min_gap, known, effort);
+  }
+
+  // How fast the points where both touch approach, but for their growth.
+  [[nodiscard]] double approach(const Contact& contact) const {
+    const Vec3 speed = velocity + cross(angular_b, contact.arm_b) - cross(angular_a, contact.arm_a);
+    return -dot(contact.normal, speed);
+  }
+
+  void set_arms(Contact& contact, const Vec3& toward) const {
+    if (wall) {
+      contact.arm_a = touching_point(a, contact.normal, toward);
+      return;
+    }
+    const TouchingPoints points = touching_points(a, b, r, contact.normal, toward);
+    contact.arm_a = points.of_a;
+    contact.arm_b = points.of_b;
   }
 };
 
@@ -127,11 +143,9 @@ ContactSearch::Instant ContactSearch::instant(std::int32_t i, const Partner& par
 
 double ContactSearch::gap(std::int32_t i, const Partner& partner, double t) const {
   const Instant now = instant(i, partner, t);
-  const Plane plane = now.plane(bodies_.min_gap, {}, Effort::touch);
-  const double supports =
-      support(now.a, plane.normal) + (now.wall ? 0.0 : support(now.b, plane.normal));
-  return (dot(plane.normal, now.r) - supports) / norm(plane.normal) -
-         (now.wall ? 0.0 : bodies_.min_gap);
+  const Vec3 normal = now.normal(bodies_.min_gap, {}, Effort::touch);
+  const double supports = support(now.a, normal) + (now.wall ? 0.0 : support(now.b, normal));
+  return (dot(normal, now.r) - supports) / norm(normal) - (now.wall ? 0.0 : bodies_.min_gap);
 }
 
 // One of a pair of revolution, on its way from the clock it was stored at.
@@ -159,22 +173,18 @@ struct ContactSearch::Turning {
 Contact ContactSearch::contact(std::int32_t i, const Partner& partner, double t,
                                const Vec3& normal) const {
   const Instant now = instant(i, partner, t);
-  const Plane plane = now.plane(bodies_.min_gap, normal, Effort::touch);
   Contact contact;
-  contact.normal = normalized(plane.normal);
+  contact.normal = normalized(now.normal(bodies_.min_gap, normal, Effort::touch));
   contact.between = now.r;
-  double supports = support(now.a, contact.normal);
-  if (now.wall) {
-    contact.arm_a = support_point(now.a, contact.normal);
-  } else {
-    supports += support(now.b, contact.normal);
-    contact.arm_a = plane.point_a;
-    contact.arm_b = plane.point_b;
-  }
+  const double supports =
+      support(now.a, contact.normal) + (now.wall ? 0.0 : support(now.b, contact.normal));
   contact.growth_speed = bodies_.growth / now.size * supports;
-  const Vec3 speed =
-      now.velocity + cross(now.angular_b, contact.arm_b) - cross(now.angular_a, contact.arm_a);
-  contact.approach = contact.growth_speed - dot(contact.normal, speed);
+  now.set_arms(contact, {});
+  contact.approach = contact.growth_speed + now.approach(contact);
+  if (contact.approach > 0.0) return contact;
+  // Where the middle of a shared side opens an end of it may close.
+  now.set_arms(contact, cross(contact.normal, now.angular_a - now.angular_b));
+  contact.approach = contact.growth_speed + now.approach(contact);
   return contact;
 }
 
@@ -191,8 +201,8 @@ Contact ContactSearch::contact_of_revolution(std::int32_t i, const Partner& part
   contact.normal =
       normalized(balls ? contact.between : best_plane(now_a, now_b, contact.between, l).normal);
   double support_a = 0.0, support_b = 0.0;
-  contact.arm_a = size * touching_point(now_a, a.spin, contact.normal, support_a);
-  contact.arm_b = -size * touching_point(now_b, b.spin, contact.normal, support_b);
+  contact.arm_a = size * revolution_point(now_a, a.spin, contact.normal, support_a);
+  contact.arm_b = -size * revolution_point(now_b, b.spin, contact.normal, support_b);
   contact.growth_speed = bodies_.growth * (support_a + support_b);
   const Vec3 speed = (flight_b.velocity + cross(now_b.angular, contact.arm_b)) -
                      (flight_a.velocity + cross(now_a.angular, contact.arm_a));
@@ -293,7 +303,7 @@ Found ContactSearch::first_contact(std::int32_t i, const Partner& partner, doubl
     MovingPlane plane{};
     const auto bound_of = [&] {
       const bool known = step == 0 && effort == Effort::step && !(normal == Vec3{});
-      plane.normal = known ? normal : now.plane(bodies_.min_gap, normal, effort).normal;
+      plane.normal = known ? normal : now.normal(bodies_.min_gap, normal, effort);
       plane.rate = now.smooth || now.wall
                        ? Vec3{}
                        : normal_rate(now.a, now.b, now.angular_a, now.angular_b, plane.normal);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "generate/event_driven/support_jet.hpp"
+#include "generate/event_driven/touching_points.hpp"
 #include "packstone/geometry/contact.hpp"
 
 namespace packstone::event_driven {

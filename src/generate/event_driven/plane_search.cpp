@@ -95,11 +95,6 @@ Vec3 ellipsoid_normal(const PosedBody& a, const PosedBody& b, const Vec3& r, con
   return normal;
 }
 
-Vec3 ellipsoid_point(const PosedBody& body, const Vec3& n) {
-  const Vec3 image = shape_times(body, n);
-  return image / std::sqrt(dot(n, image));
-}
-
 // A segment such that the body lies within some radius of it, as near as bodies with one long axis
 // allow.
 Segment core_segment(const PosedBody& body) {
@@ -112,55 +107,6 @@ Segment core_segment(const PosedBody& body) {
 Vec3 first_normal(const PosedBody& a, const PosedBody& b, const Vec3& r) {
   const Vec3 between = nearest_points(core_segment(a), core_segment(b), r).between;
   return normalized(norm_sq(between) > 0.0 ? between : r);
-}
-
-double gap_along(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& unit) {
-  return dot(unit, r) - support(a, unit) - support(b, unit);
-}
-
-// What of a body a plane rests on.
-enum class Rest { point, line, flat };
-
-Rest rest_of(const PosedBody& body, const Vec3& n) {
-  constexpr double kOnSide = 1e-5;
-  if (is_ellipsoid(body.form)) return Rest::point;
-  const double x = std::abs(dot(body.pose.axis, n));
-  if (x < kOnSide) return Rest::line;
-  return body.form == Form::cylinder && 1.0 - x < kOnSide * kOnSide ? Rest::flat : Rest::point;
-}
-
-// A point that the sides of two rods share when they touch, from the center of a: where lines
-// cross, where a line comes nearest to the middle of a flat end, between the middles of two flat
-// ends.
-Vec3 shared_point(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& n, Rest of_a,
-                  Rest of_b) {
-  const NearestPoints axes = nearest_points({a.axial, a.pose.axis}, {b.axial, b.pose.axis}, r);
-  const auto on_plane = [&](const Vec3& from_axis, double height) {
-    return from_axis - dot(from_axis, n) * n + height * n;
-  };
-  const Vec3 on_a = on_plane(axes.on_a, support(a, n));
-  const Vec3 on_b = on_plane(r + axes.on_b, dot(r, n) - support(b, n));
-  double part_b = of_a == of_b ? 0.5 : of_a == Rest::line ? 0.0 : 1.0;
-  if (of_a == Rest::flat && of_b == Rest::flat) part_b = a.lateral / (a.lateral + b.lateral);
-  return on_a + part_b * (on_b - on_a);
-}
-
-// The points where both come nearest. One that rests on a side is met where the other one is.
-void set_points(const PosedBody& a, const PosedBody& b, const Vec3& r, Plane& plane) {
-  const Vec3& n = plane.normal;
-  plane.point_a = support_point(a, n);
-  plane.point_b = support_point(b, -n);
-  const double gap = gap_along(a, b, r, n);
-  const Rest of_a = rest_of(a, n), of_b = rest_of(b, n);
-  if (of_a != Rest::point && of_b != Rest::point) {
-    const Vec3 shared = shared_point(a, b, r, n, of_a, of_b);
-    plane.point_a = shared + (support(a, n) - dot(shared, n)) * n;
-    plane.point_b = plane.point_a + gap * n - r;
-  } else if (of_a != Rest::point) {
-    plane.point_a = r + plane.point_b - gap * n;
-  } else if (of_b != Rest::point) {
-    plane.point_b = plane.point_a + gap * n - r;
-  }
 }
 
 }  // namespace
@@ -191,36 +137,16 @@ double support(const PosedBody& body, const Vec3& n) {
   return body.axial * std::abs(along) + body.lateral * norm(n);
 }
 
-Plane find_plane(const PosedBody& a, const PosedBody& b, const Vec3& r, double min_gap,
-                 const Vec3& known, Effort effort) {
-  if (a.form == Form::ball && b.form == Form::ball) {
-    const Vec3 n = normalized(r);
-    return {n, a.lateral * n, -b.lateral * n};
+Vec3 find_plane(const PosedBody& a, const PosedBody& b, const Vec3& r, double min_gap,
+                const Vec3& known, Effort effort) {
+  if (a.form == Form::ball && b.form == Form::ball) return normalized(r);
+  if (is_ellipsoid(a.form) && is_ellipsoid(b.form) && min_gap == 0.0) {
+    return ellipsoid_normal(a, b, r, known, effort);
   }
-  if (!is_ellipsoid(a.form) || !is_ellipsoid(b.form) || min_gap > 0.0) {
-    // Any plane will do for the next stretch of time; at a contact its error is a gap.
-    const double accuracy = effort == Effort::step ? 1e-3 : 1e-9;
-    const Vec3 start = known == Vec3{} ? first_normal(a, b, r) : normalized(known);
-    Plane plane{ascend_gap(a, b, r, start, accuracy), {}, {}};
-    if (effort == Effort::touch) set_points(a, b, r, plane);
-    return plane;
-  }
-  Plane plane{ellipsoid_normal(a, b, r, known, effort), {}, {}};
-  if (effort == Effort::step) return plane;
-  plane.point_a = ellipsoid_point(a, plane.normal);
-  plane.point_b = -ellipsoid_point(b, plane.normal);
-  return plane;
-}
-
-Vec3 support_point(const PosedBody& body, const Vec3& n) {
-  constexpr double kOnSide = 1e-14;
-  if (is_ellipsoid(body.form)) return ellipsoid_point(body, n);
-  const double along = dot(n, body.pose.axis);
-  const double end = std::abs(along) < kOnSide ? 0.0 : std::copysign(body.axial, along);
-  if (body.form == Form::spherocylinder) return end * body.pose.axis + body.lateral * n;
-  const Vec3 flat = n - along * body.pose.axis;
-  const double length = norm(flat);
-  return end * body.pose.axis + (length < kOnSide ? Vec3{} : (body.lateral / length) * flat);
+  // Any plane will do for the next stretch of time; at a contact its error is a gap.
+  const double accuracy = effort == Effort::step ? 1e-3 : 1e-9;
+  const Vec3 start = known == Vec3{} ? first_normal(a, b, r) : normalized(known);
+  return ascend_gap(a, b, r, start, accuracy);
 }
 
 namespace {

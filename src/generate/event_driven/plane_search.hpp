@@ -30,26 +30,16 @@ struct PosedBody {
 /// Smooth and strictly convex, as ellipsoids are.
 [[nodiscard]] constexpr bool is_ellipsoid(Form form) { return form <= Form::scalene; }
 
-/// A plane between two bodies with what rests on it.
-struct Plane {
-  Vec3 normal;   ///< From a to b, not unit.
-  Vec3 point_a;  ///< Where a comes nearest, relative to its center [L].
-  Vec3 point_b;  ///< Where b does, relative to its own [L].
-};
-
 /// How well a plane is to be found.
 enum class Effort {
   step,   ///< From the plane that is known, as well as the next stretch of time needs it.
-  touch,  ///< As well as the contact of touching bodies needs it; with the points.
+  touch,  ///< As well as the contact of touching bodies needs it.
 };
 
-/// From a plane that is known (0: none) to a better one. r from the center of a to that of b.
-[[nodiscard]] Plane find_plane(const PosedBody& a, const PosedBody& b, const Vec3& r,
-                               double min_gap, const Vec3& known, Effort effort);
-
-/// Where the body comes nearest to a plane with unit normal n, relative to its center [L]; the
-/// middle of a side that rests on it.
-[[nodiscard]] Vec3 support_point(const PosedBody& body, const Vec3& n);
+/// The normal of a plane between two bodies, from a to b, not unit; a better one than the one that
+/// is known (0: none). r from the center of a to that of b.
+[[nodiscard]] Vec3 find_plane(const PosedBody& a, const PosedBody& b, const Vec3& r, double min_gap,
+                              const Vec3& known, Effort effort);
 
 /// How the normal has to turn so that the plane stays with the edges and flat sides that it rests
 /// on: across `normal`; 0 where both bodies are smooth there.
