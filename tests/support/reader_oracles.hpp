@@ -16,4 +16,7 @@ bool json_reader_holds(std::string_view text);
 /// The same for the bytes of an HDF5 file.
 bool hdf5_reader_holds(std::string_view bytes);
 
+/// The same for the bytes of a checkpoint.
+bool checkpoint_reader_holds(std::string_view bytes);
+
 }  // namespace packstone::test

@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -110,6 +112,13 @@ hid_t swapped_flags() {
   return type;
 }
 
+// The longest that the library knows; takes no room in the file as long as nothing is written.
+hid_t longest_text() {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, std::numeric_limits<std::uint32_t>::max());
+  return type;
+}
+
 struct Damage {
   const char* what;
   std::function<void(hid_t file)> make;
@@ -167,6 +176,11 @@ std::vector<Damage> damages() {
          H5Lcreate_soft("/cell/size", f, "groups", H5P_DEFAULT, H5P_DEFAULT);
        },
        "groups: is a link"},
+      {"a list longer than its file", zeros("inclusions/radius", H5T_NATIVE_DOUBLE, {1U << 31}),
+       "inclusions/radius: is larger than its file"},
+      {"a text longer than its file",
+       [](hid_t f) { put(f, "provenance/method", longest_text(), {}); },
+       "provenance/method: is larger than its file"},
       {"a negative seed",
        [](hid_t f) {
          const std::int64_t seed = -1;

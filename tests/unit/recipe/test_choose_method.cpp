@@ -7,6 +7,7 @@
 #include "packstone/core/error.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "recipe/draw_mix.hpp"
+#include "support/order.hpp"
 
 namespace packstone {
 namespace {
@@ -16,13 +17,14 @@ using recipe::crowding;
 using recipe::MethodChoice;
 
 MethodChoice choice_for(const std::string& groups, const std::string& size = "[1, 1, 1]") {
-  const Recipe order = recipe_from_toml("[cell]\nsize = " + size + "\n" + groups, "test.toml");
-  return choose_method(order, recipe::draw_mix(order));
+  const Recipe ordered = test::order(groups, size);
+  return choose_method(ordered, recipe::draw_mix(ordered));
 }
 
 double crowding_of(const std::string& groups, const std::string& size = "[1, 1, 1]") {
-  const Recipe order = recipe_from_toml("[cell]\nsize = " + size + "\n" + groups, "test.toml");
-  return crowding(order.cell, recipe::draw_mix(order).bodies, order.min_gap, order.rsa.order);
+  const Recipe ordered = test::order(groups, size);
+  return crowding(ordered.cell, recipe::draw_mix(ordered).bodies, ordered.min_gap,
+                  ordered.rsa.order);
 }
 
 const std::string kBalls = "[[inclusions]]\nshape = \"sphere\"\ncount = 5000\nfraction = ";

@@ -8,14 +8,12 @@
 #include "packstone/core/error.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "scenes.hpp"
+#include "support/order.hpp"
 
 using namespace packstone;
+using test::order;
 
 namespace {
-
-Recipe order(const std::string& groups, const std::string& size = "[1, 1, 1]") {
-  return recipe_from_toml("[cell]\nsize = " + size + "\n" + groups, "test.toml");
-}
 
 const std::string kMixture = R"(
 [[inclusions]]

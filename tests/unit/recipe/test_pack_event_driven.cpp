@@ -9,14 +9,13 @@
 #include "packstone/recipe/pack.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "scenes.hpp"
+#include "support/order.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace packstone {
 namespace {
 
-Recipe order(const std::string& groups, const std::string& size = "[1, 1, 1]") {
-  return recipe_from_toml("[cell]\nsize = " + size + "\n" + groups, "test.toml");
-}
+using test::order;
 
 // Denser than random sequential adsorption can.
 const std::string kDense = R"(
