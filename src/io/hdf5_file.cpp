@@ -248,7 +248,8 @@ void Hdf5Fields::check_storage(const Dataset& dataset) const {
     if (size != 0 && bytes > most / size) refuse(dataset.path, "is larger than its file");
     bytes *= size;
   }
-  if (bytes > most) refuse(dataset.path, "is larger than its file");  // a single long text
+  // A single text has no extents, but a size of its own.
+  if (bytes > most) refuse(dataset.path, "is larger than its file");
   const Hdf5Handle properties(H5Dget_create_plist(dataset.id), H5Pclose, dataset.path);
   const H5D_layout_t layout = H5Pget_layout(properties);
   if (H5Pget_external_count(properties) != 0 || layout == H5D_VIRTUAL || layout < 0) {
