@@ -10,6 +10,7 @@
 
 #include "generate/event_driven/engine.hpp"
 #include "generate/event_driven/run_state.hpp"
+#include "generate/event_driven/spatial_order.hpp"
 #include "generate/event_driven/starting_points.hpp"
 #include "generate/ordered_bodies.hpp"
 #include "packstone/core/error.hpp"
@@ -27,11 +28,12 @@ using edmd::Progressed;
 
 // Collisions per body in a block of events: neither are clocks set alike too often, nor does the
 // gas heat up much.
-constexpr double kBlockCollisions = 10.0;
+constexpr double kBlockCollisions = 20.0;
 constexpr double kLeastBlockCollisions = 200.0;
-// While a gas is thin its pressure, which decides on the growth rate, changes fast.
-constexpr double kThinBlockCollisions = 3.0;
-constexpr double kThin = 6.0;  // Reduced pressure.
+// As long as the pressure, which decides on the growth rate, is not known.
+constexpr double kFirstBlockCollisions = 1.0;
+constexpr double kThinBlockCollisions = 6.0;
+constexpr double kThin = 12.0;  // Reduced pressure.
 
 void refuse(const char* field, double value, const char* allowed) {
   throw InvalidArgument(
@@ -149,8 +151,10 @@ class Run {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     constexpr std::int64_t kEventsPerCollision = 1000;
     edmd::BlockEnd end;
-    end.collisions =
-        static_cast<std::int64_t>(std::max(kBlockCollisions * count_, kLeastBlockCollisions));
+    const double each = !(at_.pressure > 0.0) ? kFirstBlockCollisions
+                        : is_thin()           ? kThinBlockCollisions
+                                              : kBlockCollisions;
+    end.collisions = static_cast<std::int64_t>(std::max(each * count_, kLeastBlockCollisions));
     end.time = kInfinity;
     if (options_.published_stagnation) end.collisions = 50;
     if (!grows()) {
@@ -164,6 +168,18 @@ class Run {
     }
     end.events = kEventsPerCollision * end.collisions;
     return end;
+  }
+
+  edmd::BlockCount run_engine(Bodies& bodies, const edmd::BlockEnd& end) {
+    const Cell& cell = result_.state.packing.cell;
+    const std::vector<std::int32_t> order = edmd::spatial_order(bodies, cell);
+    bodies = edmd::in_order(bodies, order);
+    const edmd::BlockCount block =
+        edmd::Engine(bodies, cell)
+            .run_block(end, run_, options_.check_every_event,
+                       [this](double size, std::int64_t collisions) { report(size, collisions); });
+    bodies = edmd::out_of_order(bodies, order);
+    return block;
   }
 
   // Returns whether the run is over.
@@ -180,10 +196,7 @@ class Run {
     }
     const double size_before = bodies.size;
     const edmd::BlockEnd end = block_end(bodies);
-    edmd::Engine engine(bodies, state.packing.cell);
-    const edmd::BlockCount block = engine.run_block(
-        end, run_, options_.check_every_event,
-        [this](double size, std::int64_t collisions) { report(size, collisions); });
+    const edmd::BlockCount block = run_engine(bodies, end);
     const bool at_end = grows() && block.time >= end.time;
     const bool reached = at_end && has_target() && size_before >= dilute_until();
     if (reached) bodies.size = 1.0;

@@ -31,8 +31,8 @@ struct EventDrivenOptions {
   double min_gap = 0.0;
 
   /// Growth rate to start from: how fast the radius of the ball of mean volume grows, over the
-  /// thermal velocity [-]. In (0, 10]. A gas that is thin, of reduced pressure Z below 6, grows
-  /// (6 / Z)^2 times as fast, up to a rate of 1; one that is dilute at 1.
+  /// thermal velocity [-]. In (0, 10]. A gas that is thin, of reduced pressure Z below 12, grows
+  /// (12 / Z)^2 times as fast, up to a rate of 1; one that is dilute at 1.
   double growth_rate = 0.1;
 
   /// The slowest growth rate [-]. In (0, growth_rate]. target: the rate is halved, down to this,

@@ -51,7 +51,8 @@ RevolutionPlane<double, Vec3> best_plane(const Revolution<double, Vec3>& a,
                                          const Revolution<double, Vec3>& b, const Vec3& r,
                                          double l) {
   constexpr int kMostPlaneSteps = 40;
-  constexpr double kConverged = 1e-9;
+  // The step that is still taken squares what is left.
+  constexpr double kConverged = 1e-5;
   RevolutionPlane<double, Vec3> plane = plane_step(a, b, r, l);
   for (int k = 1; k < kMostPlaneSteps; ++k) {
     const double moved = std::abs(plane.l - l);
@@ -253,20 +254,15 @@ Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& 
     const double size = bodies_.size_at(time);
     const Revolution<double, Vec3> now_a = a.at(time), now_b = b.at(time);
     const Vec3 r = from + (time - t) * velocity;
-    const auto bound_of = [&] {
-      RevolutionBound bound(plane.normal, r, velocity);
-      bound.set_a(a.spin, now_a.axis, a.turn, a.reach, size, bodies_.growth);
-      bound.set_b(b.spin, now_b.axis, b.turn, b.reach, size, bodies_.growth);
-      return bound;
-    };
+    const RevolutionBound::Moving moving{a.reach, b.reach, size, bodies_.growth, velocity};
     plane = plane_step(now_a, now_b, r, plane.l);
-    RevolutionBound bound = bound_of();
-    double length = norm(plane.normal);
+    RevolutionBound bound(plane, now_a, now_b, r, moving);
+    double length = bound.length();
     double gap = bound.now() / length;
     if (gap <= contact_gap) {
       plane = best_plane(now_a, now_b, r, plane.l);
-      bound = bound_of();
-      length = norm(plane.normal);
+      bound = RevolutionBound(plane, now_a, now_b, r, moving);
+      length = bound.length();
       gap = bound.now() / length;
       if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
     }

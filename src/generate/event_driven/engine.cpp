@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "generate/event_driven/lane_kernels.hpp"
+
 namespace packstone::event_driven {
 namespace {
 
@@ -42,7 +44,7 @@ Engine::Engine(Bodies& bodies, const Cell& cell)
       cell_(cell),
       search_(bodies, cell),
       neighbors_(bodies, cell),
-      lanes_(bodies, cell) {
+      lanes_(bodies, cell, lane_kernels()) {
   for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
     has_walls_ = has_walls_ || !cell.periodic[a];
   }
@@ -86,20 +88,16 @@ void Engine::await_exit(std::int32_t i, double t) {
 
 void Engine::predict(std::int32_t i, double t) {
   ++count_.predictions;
-  next_ = {neighbors_.exit_time(i, t), Kind::exit, -1};
-  // What the partner of a collision just carried out has found already.
-  const bool keeps = event(i).kind == Kind::collision && queue_.time(i) < next_.time;
-  if (keeps) next_.time = queue_.time(i);
+  if (event(i).kind == Kind::look_again) await_exit(i, t);
+  // Its exit, or what the partner of a collision just carried out has found already.
+  next_ = {queue_.time(i), Kind::exit, -1};
   const std::span<Neighbor> list = neighbors_.of(i);
   if (lanes_.kind() == PairLanes::Kind::none) {
     for (std::size_t k = 0; k < list.size(); ++k) look_at(i, list, k, t, known_normal(list[k]));
   } else {
     look_in_lanes(i, list, t);
   }
-  if (next_.neighbor < 0) {
-    if (!keeps) set_event(i, next_.time, next_.kind, {});
-    return;
-  }
+  if (next_.neighbor < 0) return;
   set_event(i, next_.time, next_.kind, list[static_cast<std::size_t>(next_.neighbor)]);
 }
 

@@ -5,7 +5,6 @@
 /// are narrower, two or four of them do for one. Included by sources alone that compile the same
 /// functions once per width; no operation is fused, so the bits are the same.
 
-#include <cmath>
 #include <cstdint>
 
 #include "packstone/core/vec.hpp"
@@ -20,6 +19,10 @@ namespace packstone::event_driven {
 // The compilers' own vectors.
 using Lanes = double __attribute__((vector_size(64)));
 using Mask = std::int64_t __attribute__((vector_size(64)));
+
+// As many whole numbers, and numbers of single precision.
+using Whole = std::int32_t __attribute__((vector_size(32)));
+using Single = float __attribute__((vector_size(32)));
 
 struct Lanes3 {
   Lanes x, y, z;
@@ -44,14 +47,19 @@ PACKSTONE_LANES Lanes3 all_lanes(const Vec3& v) {
   return {Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z};
 }
 PACKSTONE_LANES Lanes larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
-PACKSTONE_LANES Lanes magnitude(const Lanes& a) { return a < 0.0 ? -a : a; }
-PACKSTONE_LANES Lanes within(const Lanes& a, const Lanes& most) {
-  const Lanes low = a > -most ? a : -most;
+// Of lanes of either precision.
+template <class Numbers>
+PACKSTONE_LANES Numbers magnitude(const Numbers& a) {
+  return a < Numbers{} ? -a : a;
+}
+template <class Numbers>
+PACKSTONE_LANES Numbers within(const Numbers& a, const Numbers& most) {
+  const Numbers low = a > -most ? a : -most;
   return low < most ? low : most;
 }
 PACKSTONE_LANES Lanes root(const Lanes& a) {
   Lanes result;
-  for (int l = 0; l < 8; ++l) result[l] = std::sqrt(a[l]);
+  for (int l = 0; l < 8; ++l) result[l] = __builtin_sqrt(a[l]);
   return result;
 }
 PACKSTONE_LANES Lanes lanes_of(const double (&numbers)[8]) {
@@ -67,6 +75,13 @@ PACKSTONE_LANES unsigned bits(const Mask& mask) {
   __builtin_memcpy(&word, &bytes, sizeof word);
   // Byte l holds its bit at 8 l; the product brings it to 56 + l.
   return static_cast<unsigned>(((word & 0x0101010101010101U) * 0x0102040810204080U) >> 56U);
+}
+PACKSTONE_LANES unsigned bits(const Whole& mask) {
+  const Whole own = mask & Whole{1, 2, 4, 8, 16, 32, 64, 128};
+  const Whole two = own | __builtin_shufflevector(own, own, 4, 5, 6, 7, 0, 1, 2, 3);
+  const Whole four = two | __builtin_shufflevector(two, two, 2, 3, 0, 1, 6, 7, 4, 5);
+  const Whole all = four | __builtin_shufflevector(four, four, 1, 0, 3, 2, 5, 4, 7, 6);
+  return static_cast<unsigned>(all[0]);
 }
 
 // Eight cache lines of eight numbers, turned into eight lanes of each number.
@@ -101,12 +116,6 @@ PACKSTONE_LANES Columns gathered(const Line* lines, const std::int32_t (&body)[8
   Lanes rows[8];
   for (int l = 0; l < 8; ++l) __builtin_memcpy(&rows[l], lines + body[l], sizeof(Lanes));
   return transposed(rows);
-}
-
-/// Numbers in a register of this processor: 8, 4 or 2.
-static inline int lanes_width() {
-  if (__builtin_cpu_supports("avx512f") != 0) return 8;
-  return __builtin_cpu_supports("avx2") != 0 ? 4 : 2;
 }
 
 }  // namespace packstone::event_driven

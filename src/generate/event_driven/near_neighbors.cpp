@@ -12,10 +12,7 @@ namespace {
 // long that finding them takes long.
 constexpr double kFewNeighbors = 14.0;
 constexpr double kManyNeighbors = 40.0;
-constexpr double kWideNeighbors = 150.0;
 constexpr double kLong = 5.0;
-// Least margin of a wide neighborhood, over that of the near one.
-constexpr double kLeastWidth = 2.0;
 
 double least_semi_axis(Form form, const Spin& spin, double second) {
   if (form == Form::spherocylinder) return spin.lateral;
@@ -43,34 +40,29 @@ NearNeighbors::NearNeighbors(const Bodies& bodies, const Cell& cell)
   const bool long_bodies = aspects > kLong * static_cast<double>(n);
   wanted_ = long_bodies ? kManyNeighbors : kFewNeighbors;
   if (cell.dimension == 2) wanted_ *= 0.6;
-  if (long_bodies && static_cast<double>(n) > kWideNeighbors) {
-    wide_.emplace(bodies, cell);
-  }
 }
 
-// Fills candidates_ with whoever in the grid may be near body i by the neighborhoods of `level`.
-void NearNeighbors::gather(const Neighborhoods& level, std::int32_t i) {
+// Fills candidates_ with whoever in the grid may be near body i.
+void NearNeighbors::gather(std::int32_t i) {
   candidates_.clear();
-  const double reach = level.reach(i);
-  grid_.query(level.capsule(i), [&](std::int32_t j, const ReferenceGrid::Image& image) {
-    if (j != i) candidates_.push_back(level.neighbor(i, j, image));
+  const double reach = near_.reach(i);
+  grid_.query(near_.capsule(i), [&](std::int32_t j, const ReferenceGrid::Image& image) {
+    if (j != i) candidates_.push_back(near_.neighbor(i, j, image));
   });
   for_own_images(cell_, {reach, reach, reach}, 0.0, [&](const std::array<int, 3>& image) {
-    candidates_.push_back(level.neighbor(i, i, image));
+    candidates_.push_back(near_.neighbor(i, i, image));
     return true;
   });
 }
 
-// Makes the wide list of body i anew. Capsules, as the grid knows them, are close enough for it.
-void NearNeighbors::gather_wide(std::int32_t i) {
-  gather(*wide_, i);
-  for (const Neighbor& candidate : candidates_) wide_lists_.add(i, candidate);
-}
-
-// Puts body i and those candidates whose neighborhoods meet its own into each other's lists.
+// Puts body i into the grid, and it and those in there whose neighborhoods meet its own into each
+// other's lists.
 void NearNeighbors::join(std::int32_t i) {
+  gather(i);
   near_.keep_near(i, candidates_);
-  for (const Neighbor& candidate : candidates_) near_lists_.add(i, candidate);
+  for (const Neighbor& candidate : candidates_) lists_.add(i, candidate);
+  grid_.insert(i, near_.capsule(i));
+  add_walls(i);
 }
 
 void NearNeighbors::add_walls(std::int32_t i) {
@@ -80,29 +72,28 @@ void NearNeighbors::add_walls(std::int32_t i) {
       if (near_.wall_gap(i, axis, high) > near_.margin(i)) continue;
       Neighbor neighbor;
       neighbor.body = wall(axis, high);
-      near_lists_.add(i, neighbor);
+      lists_.add(i, neighbor);
     }
   }
 }
 
 // Too many neighbors: a thinner margin, and the other way round.
-double NearNeighbors::adapted(std::int32_t i, double margin, double mean, double wanted,
-                              double found) const {
+double NearNeighbors::adapted_margin(std::int32_t i) const {
   constexpr double kMostChange = 1.3, kThinnest = 0.2, kThickest = 2.5;
   const double factor =
-      std::clamp(std::cbrt(wanted / (found + 1.0)), 1.0 / kMostChange, kMostChange);
-  const double usual = mean * margin_scale_[static_cast<std::size_t>(i)];
-  return std::clamp(factor * margin, kThinnest * usual, kThickest * usual);
+      std::clamp(std::cbrt(wanted_ / (lists_.size(i) + 1.0)), 1.0 / kMostChange, kMostChange);
+  const double usual = mean_margin_ * margin_scale_[static_cast<std::size_t>(i)];
+  return std::clamp(factor * near_.margin(i), kThinnest * usual, kThickest * usual);
 }
 
 // Takes all bodies as they stand, with margins of `margin` times their scale, into the grid.
-void NearNeighbors::fill_grid(Neighborhoods& level, double t, double margin) {
+void NearNeighbors::stand_all(double t, double margin) {
   const std::int32_t n = bodies_.count();
   std::vector<double> reaches;
   reaches.reserve(static_cast<std::size_t>(n));
   for (std::int32_t i = 0; i < n; ++i) {
-    level.set(i, t, margin * margin_scale_[static_cast<std::size_t>(i)]);
-    reaches.push_back(level.reach(i));
+    near_.set(i, t, margin * margin_scale_[static_cast<std::size_t>(i)]);
+    reaches.push_back(near_.reach(i));
   }
   grid_.reset(reaches);
 }
@@ -116,13 +107,13 @@ void NearNeighbors::settle_margins(double t) {
       cell_.dimension == 2 ? std::sqrt(volume(cell_) / n) : std::cbrt(volume(cell_) / n);
   double scale = 0.0;
   for (const double s : margin_scale_) scale += s / n;
-  const double most = (wide_ ? 1.0 : 0.5) * spacing / scale;
-  fill_grid(near_, t, most);
+  const double most = 0.5 * spacing / scale;
+  stand_all(t, most);
   for (std::int32_t i = 0; i < n; ++i) grid_.insert(i, near_.capsule(i));
   std::vector<double> margins;  // At which a neighbor comes in.
   std::int32_t asked = 0;
   for (std::int32_t i = 0; i < n; i += std::max(1, n / kSample), ++asked) {
-    gather(near_, i);
+    gather(i);
     gaps_.resize(candidates_.size());
     near_.bound_gaps(i, candidates_, gaps_.data());
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
@@ -130,72 +121,29 @@ void NearNeighbors::settle_margins(double t) {
                                     margin_scale_[static_cast<std::size_t>(candidates_[k].body)]));
     }
   }
-  const auto margin_for = [&](double neighbors) {
-    const auto rank = static_cast<std::size_t>(neighbors * asked);
-    if (rank >= margins.size()) return most;
-    const auto at = margins.begin() + static_cast<std::ptrdiff_t>(rank);
-    std::nth_element(margins.begin(), at, margins.end());
-    return std::clamp(*at, 1e-3 * most, most);
-  };
-  mean_margin_ = margin_for(wanted_);
-  wide_margin_ = wide_ ? std::max(margin_for(kWideNeighbors), kLeastWidth * mean_margin_) : 0.0;
+  mean_margin_ = most;
+  const auto rank = static_cast<std::size_t>(wanted_ * asked);
+  if (rank >= margins.size()) return;
+  const auto at = margins.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(margins.begin(), at, margins.end());
+  mean_margin_ = std::clamp(*at, 1e-3 * most, most);
 }
 
 void NearNeighbors::rebuild_all(double t) {
   settle_margins(t);
   const std::int32_t n = bodies_.count();
-  near_lists_.reset(n);
-  wide_lists_.reset(n);
-  fill_grid(near_, t, mean_margin_);
-  if (wide_) fill_grid(*wide_, t, wide_margin_);
-  for (std::int32_t i = 0; i < n; ++i) {
-    if (wide_) {
-      gather_wide(i);
-    } else {
-      gather(near_, i);
-      join(i);
-    }
-    grid_.insert(i, outer().capsule(i));
-    add_walls(i);
-  }
-  for (std::int32_t i = 0; wide_ && i < n; ++i) {
-    wide_lists_.read(i, candidates_);
-    // Each pair is found once, by the later of the two.
-    std::erase_if(candidates_, [&](const Neighbor& c) { return c.body > i; });
-    join(i);
-  }
-}
-
-void NearNeighbors::rebuild_wide(std::int32_t i, double t, double found) {
-  wide_lists_.leave(i);
-  grid_.remove(i);
-  // It has to hold the near neighborhood for a while.
-  const double least = kLeastWidth * near_.margin(i);
-  wide_->set(i, t,
-             std::max(least, adapted(i, wide_->margin(i), wide_margin_, kWideNeighbors, found)));
-  gather_wide(i);
-  grid_.insert(i, wide_->capsule(i));
-  wide_lists_.read(i, candidates_);
+  lists_.reset(n);
+  stand_all(t, mean_margin_);
+  for (std::int32_t i = 0; i < n; ++i) join(i);
 }
 
 void NearNeighbors::rebuild(std::int32_t i, double t) {
   ++rebuilds_;
-  const double margin = adapted(i, near_.margin(i), mean_margin_, wanted_, near_lists_.size(i));
-  near_lists_.remove(i);
-  if (!wide_) {
-    grid_.remove(i);
-    near_.set(i, t, margin);
-    gather(near_, i);
-    grid_.insert(i, near_.capsule(i));
-  } else {
-    near_.set(i, t, margin);
-    wide_lists_.read(i, candidates_);
-    if (wide_->room_left(i, t) < margin) {
-      rebuild_wide(i, t, static_cast<double>(candidates_.size()));
-    }
-  }
+  const double margin = adapted_margin(i);
+  lists_.remove(i);
+  grid_.remove(i);
+  near_.set(i, t, margin);
   join(i);
-  add_walls(i);
 }
 
 }  // namespace packstone::event_driven

@@ -8,13 +8,8 @@
 /// inside theirs no others can touch. Scaling the shape to make the neighborhood, as A. Donev,
 /// S. Torquato and F. H. Stillinger (J. Comput. Phys. 202 (2005) 737-793) do, gives needles no room
 /// across and too much along their axis; a margin of one width all around does not.
-///
-/// Long bodies have far more others within their length than near them. They get a second, wider
-/// neighborhood that holds the first: the neighbors by that one, looked for in the grid now and
-/// then, are the only ones that come into question for the first.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,7 +32,7 @@ class NearNeighbors {
   /// Makes the neighborhood of body i and its list anew; its clock stands at `t`.
   void rebuild(std::int32_t i, double t);
 
-  [[nodiscard]] std::span<Neighbor> of(std::int32_t i) { return near_lists_.of(i); }
+  [[nodiscard]] std::span<Neighbor> of(std::int32_t i) { return lists_.of(i); }
 
   /// When body i, its clock at t, may leave its neighborhood.
   [[nodiscard]] double exit_time(std::int32_t i, double t) const { return near_.exit_time(i, t); }
@@ -57,27 +52,20 @@ class NearNeighbors {
 
  private:
   void settle_margins(double t);
-  void fill_grid(Neighborhoods& level, double t, double margin);
-  void gather(const Neighborhoods& level, std::int32_t i);
-  void gather_wide(std::int32_t i);
+  void stand_all(double t, double margin);
+  void gather(std::int32_t i);
   void join(std::int32_t i);
   void add_walls(std::int32_t i);
-  void rebuild_wide(std::int32_t i, double t, double found);
-  [[nodiscard]] double adapted(std::int32_t i, double margin, double mean, double wanted,
-                               double found) const;
-  [[nodiscard]] Neighborhoods& outer() { return wide_ ? *wide_ : near_; }
+  [[nodiscard]] double adapted_margin(std::int32_t i) const;
 
   const Bodies& bodies_;
   Cell cell_;
   ReferenceGrid grid_;
   std::vector<double> margin_scale_;  // What margins are measured in [L].
   Neighborhoods near_;
-  NeighborLists near_lists_;
-  std::optional<Neighborhoods> wide_;
-  LooseLists wide_lists_;
-  double wanted_ = 0.0;       // Near neighbors of a body.
+  NeighborLists lists_;
+  double wanted_ = 0.0;       // Neighbors of a body.
   double mean_margin_ = 0.0;  // Over margin_scale_.
-  double wide_margin_ = 0.0;  // The same of the wide ones.
   std::vector<Neighbor> candidates_;
   std::vector<double> gaps_;
   std::int64_t rebuilds_ = 0;

@@ -119,6 +119,12 @@ void Neighborhoods::bound_gaps(std::int32_t i, std::span<const Neighbor> others,
   }
 }
 
+// Perram and Wertheim's l, as it is for the balls around two bodies.
+float Neighborhoods::ball_like(std::int32_t i, std::int32_t j) const {
+  const double reach = bodies_.reach[static_cast<std::size_t>(i)];
+  return static_cast<float>(reach / (reach + bodies_.reach[static_cast<std::size_t>(j)]));
+}
+
 void Neighborhoods::keep_near(std::int32_t i, std::vector<Neighbor>& others) const {
   if (others.empty()) return;
   gaps_.resize(others.size());
@@ -132,7 +138,9 @@ void Neighborhoods::keep_near(std::int32_t i, std::vector<Neighbor>& others) con
   std::size_t kept = 0;
   for (std::size_t k = 0; k < others.size(); ++k) {
     if (gaps_[k] > margin + margin_[static_cast<std::size_t>(others[k].body)]) continue;
-    others[kept++] = others[k];
+    others[kept] = others[k];
+    if (revolution_) others[kept].hint[0] = ball_like(i, others[k].body);
+    ++kept;
   }
   others.resize(kept);
 }
@@ -201,7 +209,10 @@ void NeighborLists::append(std::int32_t i, const Neighbor& neighbor) {
 
 void NeighborLists::add(std::int32_t i, const Neighbor& neighbor) {
   append(i, neighbor);
-  if (neighbor.body != i && !is_wall(neighbor.body)) append(neighbor.body, reversed(neighbor, i));
+  if (neighbor.body == i || is_wall(neighbor.body)) return;
+  Neighbor back = reversed(neighbor, i);
+  if (neighbor.hint[0] > 0.0F) back.hint[0] = 1.0F - neighbor.hint[0];
+  append(neighbor.body, back);
 }
 
 void NeighborLists::remove(std::int32_t i) {
@@ -219,40 +230,6 @@ void NeighborLists::remove(std::int32_t i) {
     }
   }
   extents_[static_cast<std::size_t>(i)].size = 0;
-}
-
-void LooseLists::reset(std::int32_t bodies) {
-  lists_.resize(static_cast<std::size_t>(bodies));
-  for (auto& list : lists_) list.clear();
-  stay_.assign(static_cast<std::size_t>(bodies), 0);
-}
-
-void LooseLists::add(std::int32_t i, const Neighbor& neighbor) {
-  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(neighbor.body);
-  const auto& m = neighbor.image;
-  lists_[a].push_back({neighbor.body, {m[0], m[1], m[2]}, stay_[b]});
-  if (a == b) return;
-  const Neighbor back = reversed(neighbor, i);
-  lists_[b].push_back({i, {back.image[0], back.image[1], back.image[2]}, stay_[a]});
-}
-
-void LooseLists::leave(std::int32_t i) {
-  ++stay_[static_cast<std::size_t>(i)];
-  lists_[static_cast<std::size_t>(i)].clear();
-}
-
-void LooseLists::read(std::int32_t i, std::vector<Neighbor>& into) {
-  auto& list = lists_[static_cast<std::size_t>(i)];
-  std::erase_if(list, [&](const Entry& entry) {
-    return entry.stay != stay_[static_cast<std::size_t>(entry.body)];
-  });
-  into.clear();
-  for (const Entry& entry : list) {
-    Neighbor neighbor;
-    neighbor.body = entry.body;
-    std::copy_n(entry.image, 3, neighbor.image);
-    into.push_back(neighbor);
-  }
 }
 
 Neighbor reversed(const Neighbor& neighbor, std::int32_t i) {

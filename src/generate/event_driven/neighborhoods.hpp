@@ -53,6 +53,7 @@ class Neighborhoods {
 
  private:
   [[nodiscard]] PosedBody body(std::int32_t i) const;
+  [[nodiscard]] float ball_like(std::int32_t i, std::int32_t j) const;
 
   const Bodies& bodies_;
   Cell cell_;
@@ -94,29 +95,6 @@ class NeighborLists {
 
   std::vector<Extent> extents_;
   std::vector<Neighbor> pool_;
-};
-
-/// Lists that whoever leaves stays in until they are read: for long lists, out of which nobody
-/// needs to be taken at once.
-class LooseLists {
- public:
-  void reset(std::int32_t bodies);
-
-  /// Into the lists of both.
-  void add(std::int32_t i, const Neighbor& neighbor);
-  /// Body i leaves all lists, and all leave its own.
-  void leave(std::int32_t i);
-  /// Those who are still in the list of body i.
-  void read(std::int32_t i, std::vector<Neighbor>& into);
-
- private:
-  struct Entry {
-    std::int32_t body;
-    std::int16_t image[3];
-    std::int32_t stay;  // Of the body, when it came in.
-  };
-  std::vector<std::vector<Entry>> lists_;
-  std::vector<std::int32_t> stay_;  // How often each body has left.
 };
 
 /// The same pair, seen from the neighbor.

@@ -31,6 +31,8 @@ struct Suspect {
   double l = 0.0;  ///< Perram and Wertheim's, of the plane that was tried; not of balls.
 };
 
+struct LaneKernels;
+
 /// Looks at all neighbors of a body at once.
 class PairLanes {
  public:
@@ -40,7 +42,7 @@ class PairLanes {
   enum class Kind { none, balls, revolution };
   static Kind kind_of(const Bodies& bodies);
 
-  PairLanes(const Bodies& bodies, const Cell& cell);
+  PairLanes(const Bodies& bodies, const Cell& cell, const LaneKernels& kernels);
 
   [[nodiscard]] Kind kind() const { return kind_; }
 
@@ -56,7 +58,7 @@ class PairLanes {
   Vec3 edges_;
   double coordinate_gap_;
   Kind kind_;
-  int width_;  // 8, 4, 2: numbers in a register of this processor.
+  const LaneKernels& kernels_;
 };
 
 }  // namespace packstone::event_driven

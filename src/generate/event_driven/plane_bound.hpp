@@ -54,6 +54,7 @@ double safe_time(const Bound& bound, double horizon, double aim) {
     const double part = std::min(at_left / (at_left - at_right), 1.0 - short_of);
     short_of = std::min(0.5, kShorter * short_of);
     const double chord = left + (right - left) * part;
+    if (chord >= kClose * right) return chord;
     const double value = bound.at(chord) - aim;
     if (value < 0.0) {
       right = chord;

@@ -3,6 +3,7 @@
 /// @file
 /// Which neighborhoods come near this one? Grids over the cell that bodies may leave and enter.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -22,6 +23,24 @@ struct Capsule {
 
   [[nodiscard]] double reach() const { return half + radius; }
 };
+
+/// Some of those in one grid cell, side by side.
+struct alignas(32) CapsuleChunk {
+  static constexpr std::size_t kLanes = 8;
+  float x[kLanes], y[kLanes], z[kLanes], axis_x[kLanes], axis_y[kLanes], axis_z[kLanes],
+      half[kLanes], radius[kLanes];
+  std::int32_t body[kLanes];
+  std::int32_t count = 0;
+  std::int32_t next = -1;
+};
+
+/// One to be held against them, as an image of the cell sees it.
+struct SeenCapsule {
+  float x, y, z, axis_x, axis_y, axis_z, half, radius;
+};
+
+/// A bit for every lane that meets it, or nearly does.
+using CapsuleHits = unsigned (*)(const CapsuleChunk&, const SeenCapsule&);
 
 /// Capsules about bodies, found by place, image by image. A level of its own for every doubling of
 /// the reach, so that bodies of very unequal sizes cost no more than equal ones.
@@ -51,19 +70,12 @@ class ReferenceGrid {
   }
 
  private:
-  static constexpr std::size_t kLanes = 8;
-  struct alignas(32) Chunk {
-    std::array<float, kLanes> x, y, z, axis_x, axis_y, axis_z, half, radius;
-    std::array<std::int32_t, kLanes> body;
-    std::int32_t count = 0;
-    std::int32_t next = -1;
-  };
   struct Level {
     std::array<int, 3> dims{1, 1, 1};
     double largest = 0.0;  // Reach [L].
     std::int32_t bodies = 0;
-    std::vector<Chunk> chunks;  // Those of the grid cells, then what they overflow into.
-    std::int32_t free = -1;     // Chain of overflow chunks not in use.
+    std::vector<CapsuleChunk> chunks;  // Those of the grid cells, then what they overflow into.
+    std::int32_t free = -1;            // Chain of overflow chunks not in use.
   };
   struct Place {
     std::int32_t level = -1;
@@ -73,16 +85,6 @@ class ReferenceGrid {
   struct Range {
     int first, last;
   };
-
-  // The capsule asked for, as an image of the cell sees it.
-  struct Seen {
-    float x, y, z, axis_x, axis_y, axis_z, half, radius;
-  };
-  // A bit for every lane that meets it.
-  using Hits = unsigned (*)(const Chunk&, const Seen&);
-  static unsigned hits_in(const Chunk& chunk, const Seen& seen);
-  static unsigned hits_wide(const Chunk& chunk, const Seen& seen);
-  static unsigned hits_narrow(const Chunk& chunk, const Seen& seen);
 
   static int floor_div(int a, int n) { return a >= 0 ? a / n : -((n - 1 - a) / n); }
 
@@ -106,15 +108,25 @@ class ReferenceGrid {
       ranges[a] = range(level, a, capsule.center[a] - reach, capsule.center[a] + reach);
     }
     const auto as_float = [](double x) { return static_cast<float>(x); };
-    Seen seen{0,
-              0,
-              0,
-              as_float(capsule.axis.x),
-              as_float(capsule.axis.y),
-              as_float(capsule.axis.z),
-              as_float(capsule.half),
-              as_float(capsule.radius + slack_)};
+    SeenCapsule seen{0,
+                     0,
+                     0,
+                     as_float(capsule.axis.x),
+                     as_float(capsule.axis.y),
+                     as_float(capsule.axis.z),
+                     as_float(capsule.half),
+                     as_float(capsule.radius + slack_)};
     const auto& [nx, ny, nz] = level.dims;
+    // Edges of a grid cell, and how far from the segment its middle can be.
+    const Vec3 edge{cell_.size.x / nx, cell_.size.y / ny, cell_.size.z / nz};
+    const double far = capsule.radius + level.largest + slack_ + 0.5 * norm(edge);
+    const auto out_of_reach = [&](double x, double y, double z) {
+      const Vec3 p{(x + 0.5) * edge.x - capsule.center.x, (y + 0.5) * edge.y - capsule.center.y,
+                   (z + 0.5) * edge.z - capsule.center.z};
+      const double along = dot(p, capsule.axis);
+      const double nearest = std::clamp(along, -capsule.half, capsule.half);
+      return norm_sq(p) - nearest * (2.0 * along - nearest) > far * far;
+    };
     for (int kz = ranges[2].first; kz <= ranges[2].last; ++kz) {
       const int mz = floor_div(kz, nz);
       seen.z = as_float(capsule.center.z - mz * cell_.size.z);
@@ -123,6 +135,7 @@ class ReferenceGrid {
         seen.y = as_float(capsule.center.y - my * cell_.size.y);
         const int row = ((kz - mz * nz) * ny + (ky - my * ny)) * nx;
         for (int kx = ranges[0].first; kx <= ranges[0].last; ++kx) {
+          if (out_of_reach(kx, ky, kz)) continue;
           const int mx = floor_div(kx, nx);
           seen.x = as_float(capsule.center.x - mx * cell_.size.x);
           visit_chain(level, static_cast<std::size_t>(row + kx - mx * nx), seen, {mx, my, mz},
@@ -133,9 +146,9 @@ class ReferenceGrid {
   }
 
   template <class Visit>
-  void visit_chain(const Level& level, std::size_t head, const Seen& seen, const Image& image,
-                   Visit& visit) const {
-    for (const Chunk* chunk = &level.chunks[head]; chunk->count > 0;
+  void visit_chain(const Level& level, std::size_t head, const SeenCapsule& seen,
+                   const Image& image, Visit& visit) const {
+    for (const CapsuleChunk* chunk = &level.chunks[head]; chunk->count > 0;
          chunk = &level.chunks[static_cast<std::size_t>(chunk->next)]) {
       for (unsigned hits = hits_(*chunk, seen); hits != 0; hits &= hits - 1) {
         visit(chunk->body[static_cast<std::size_t>(__builtin_ctz(hits))], image);
@@ -153,7 +166,7 @@ class ReferenceGrid {
   double smallest_ = 1.0;  // Reach that level 0 begins with.
   std::vector<Level> levels_;
   std::vector<Place> places_;
-  Hits hits_;
+  CapsuleHits hits_;
 };
 
 }  // namespace packstone::event_driven

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generate/event_driven/bodies.hpp"
-#include "generate/event_driven/plane_bound.hpp"
+#include "generate/event_driven/revolution_pair.hpp"
 #include "packstone/core/vec.hpp"
 
 namespace packstone::event_driven {
@@ -16,23 +15,27 @@ namespace packstone::event_driven {
 /// G of equation (3) of plane_bound.hpp.
 class RevolutionBound {
  public:
-  RevolutionBound(const Vec3& normal, const Vec3& r, const Vec3& v)
-      : normal_(normal), c0_(dot(normal, r)), c1_(dot(normal, v)) {}
+  /// Bodies that have circumscribed radii at size factor 1, and how they move.
+  struct Moving {
+    double reach_a, reach_b;
+    double size, growth;
+    Vec3 velocity;  ///< Of b seen from a.
+  };
 
-  /// The first and the second body.
-  void set_a(const Spin& spin, const Vec3& axis, double turn, double reach, double size,
-             double growth) {
-    a_ = root_of(spin, axis, turn, reach, size, growth);
-    now_a_ = std::sqrt(a_.a0);
-  }
-  void set_b(const Spin& spin, const Vec3& axis, double turn, double reach, double size,
-             double growth) {
-    b_ = root_of(spin, axis, turn, reach, size, growth);
-    now_b_ = std::sqrt(b_.a0);
-  }
+  RevolutionBound(const RevolutionPlane<double, Vec3>& plane, const Revolution<double, Vec3>& a,
+                  const Revolution<double, Vec3>& b, const Vec3& r, const Moving& moving)
+      : length_sq_(norm_sq(plane.normal)),
+        c0_(dot(plane.normal, r)),
+        c1_(dot(plane.normal, moving.velocity)),
+        a_(root_of(a, plane.normal, plane.along_a, moving.reach_a, moving)),
+        b_(root_of(b, plane.normal, plane.along_b, moving.reach_b, moving)),
+        now_a_(std::sqrt(a_.a0)),
+        now_b_(std::sqrt(b_.a0)) {}
 
   void raise(double by) { c0_ += by; }
 
+  /// Of the normal.
+  [[nodiscard]] double length() const { return std::sqrt(length_sq_); }
   [[nodiscard]] double now() const { return c0_ - now_a_ - now_b_; }
   [[nodiscard]] double at(double t) const {
     return c0_ + t * (c1_ + t * (c2_ + t * c3_)) - a_.at(t) - b_.at(t);
@@ -51,26 +54,26 @@ class RevolutionBound {
     [[nodiscard]] double slope(double t) const { return (a1 + t * a2) / at(t); }
   };
 
-  Root root_of(const Spin& spin, const Vec3& axis, double turn, double reach, double size,
-               double growth) {
-    const Vec3 k = cross(normal_, spin.angular);
-    const double bend = reach * norm(k);
-    c2_ -= bend * (growth + 0.5 * size * turn);
-    c3_ -= bend * (0.5 * growth * turn);
-    const double n_axial = dot(normal_, axis), k_axial = dot(k, axis);
-    const Vec3 n_flat = normal_ - n_axial * axis, k_flat = k - k_axial * axis;
-    const double axial_sq = spin.axial * spin.axial, lateral_sq = spin.lateral * spin.lateral;
-    const double nn = axial_sq * n_axial * n_axial + lateral_sq * norm_sq(n_flat);
-    const double nk = axial_sq * n_axial * k_axial + lateral_sq * dot(n_flat, k_flat);
-    const double kk = axial_sq * k_axial * k_axial + lateral_sq * norm_sq(k_flat);
-    return {size * size * nn, size * (size * nk + growth * nn),
-            size * (size * kk + 2.0 * growth * nk) + growth * growth * nn};
+  // `along`: n.axis
+  Root root_of(const Revolution<double, Vec3>& body, const Vec3& n, double along, double reach,
+               const Moving& moving) {
+    const double s = moving.size, g = moving.growth;
+    const Vec3 k = cross(n, body.angular);
+    const double kk = norm_sq(k), k_along = dot(k, body.axis);
+    const double bend = reach * std::sqrt(kk);
+    c2_ -= bend * (g + 0.5 * s * body.turn);
+    c3_ -= bend * (0.5 * g * body.turn);
+    const double push = body.extra * along;
+    const double n_n = std::max(0.0, body.lateral * length_sq_ + push * along);
+    const double n_k = push * k_along;
+    const double k_k = body.lateral * kk + body.extra * k_along * k_along;
+    return {s * s * n_n, s * (s * n_k + g * n_n), s * (s * k_k + 2.0 * g * n_k) + g * g * n_n};
   }
 
-  Vec3 normal_;
+  double length_sq_;
   double c0_, c1_, c2_ = 0.0, c3_ = 0.0;
   Root a_, b_;
-  double now_a_ = 0.0, now_b_ = 0.0;
+  double now_a_, now_b_;
 };
 
 }  // namespace packstone::event_driven

@@ -50,7 +50,7 @@ TEST_CASE("a run goes on from every state that it offers to keep as if it had ne
   for (const Bodies& bodies :
        {filling(cell, copies(kBall, 30), 0.5), filling(cell, copies(kProlate, 30), 0.5),
         filling(cell, mixture(3, 30, 14), 0.5)}) {
-    const EventDrivenOptions options{.growth_rate = 0.01, .seed = 4};
+    const EventDrivenOptions options{.growth_rate = 0.003, .seed = 4};
     const Kept kept = keep_all(cell, bodies, options);
     REQUIRE(kept.states.size() >= 4);
     // The last one is the end.
@@ -77,7 +77,7 @@ TEST_CASE("a run in equilibrium goes on from every state, and measures the same 
 
 TEST_CASE("a cancelled run keeps a valid packing and goes on from its state as if never stopped") {
   const Cell cell{};
-  const EventDrivenOptions options{.growth_rate = 0.01, .seed = 4};
+  const EventDrivenOptions options{.growth_rate = 0.003, .seed = 4};
   for (const Bodies& bodies :
        {filling(cell, copies(kBall, 30), 0.5), filling(cell, mixture(3, 30, 14), 0.5)}) {
     const Kept kept = keep_all(cell, bodies, options);

@@ -166,7 +166,7 @@ TEST_CASE("event_driven_pack gives the same bits again, and others for another s
 TEST_CASE("only a gas that is dilute or thin grows faster than is ordered") {
   const Cell cell{};
   // The dilute one has no pressure yet.
-  constexpr double kThin = 6.0, kDilute = 0.12;
+  constexpr double kThin = 12.0, kDilute = 0.12;
   for (const double growth : {0.1, 0.01}) {
     const EventDrivenResult result =
         pack(cell, filling(cell, mixture(3, 30, 15), 0.55), {.growth_rate = growth});

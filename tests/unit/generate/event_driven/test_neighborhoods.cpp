@@ -269,36 +269,4 @@ TEST_CASE("lists of neighbors stay mutual through many changes") {
   }
 }
 
-TEST_CASE("loose lists show those who are still there, and no others") {
-  constexpr std::int32_t kBodies = 10;
-  std::vector<std::map<int, int>> truth(kBodies);
-  LooseLists lists;
-  lists.reset(kBodies);
-  RandomStream random(4, StreamId::test);
-  std::vector<Neighbor> read;
-  for (int round = 0; round < 5000; ++round) {
-    const auto i = static_cast<std::int32_t>(random.below(kBodies));
-    auto& own = truth[static_cast<std::size_t>(i)];
-    if (random.below(5) == 0) {
-      lists.leave(i);
-      for (auto& list : truth) list.erase(i);
-      own.clear();
-    } else {
-      Neighbor n;
-      n.body = static_cast<std::int32_t>(random.below(kBodies));
-      if (own.count(n.body) > 0) continue;
-      n.image[0] = static_cast<std::int16_t>(random.below(9)) - 4;
-      lists.add(i, n);
-      own[n.body] = n.image[0];
-      if (n.body != i) truth[static_cast<std::size_t>(n.body)][i] = -n.image[0];
-    }
-    const auto b = static_cast<std::int32_t>(random.below(kBodies));
-    lists.read(b, read);
-    std::map<int, int> listed;
-    for (const Neighbor& n : read) listed[n.body] = n.image[0];
-    REQUIRE(listed.size() == read.size());
-    REQUIRE(listed == truth[static_cast<std::size_t>(b)]);
-  }
-}
-
 }  // namespace packstone::event_driven

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "generate/event_driven/lane_kernels.hpp"
 #include "judged_search.hpp"
 #include "movers.hpp"
 
@@ -49,6 +50,7 @@ Crowd crowd_of(int others, double growth, double min_gap, zoo::Zoo& zoo, const D
     pair = movers::moved_apart(pair, min_gap + zoo.log_uniform(1e-8, 0.5));
     Neighbor n;
     n.body = k;
+    n.hint[0] = 0.5F;
     for (auto& image : n.image) image = static_cast<std::int16_t>(zoo.uniform(-3, 3));
     m.velocity = zoo.uniform(0, 1) * (zoo.direction(3) - 2.0 * normalized(pair.r));
     m.center = crowd.scene.movers[0].center + pair.r - partner_of(crowd, n).shift;
@@ -64,6 +66,7 @@ void add_own_image_and_wall(Crowd& crowd, zoo::Zoo& zoo) {
   Neighbor own;
   own.body = 0;
   own.image[0] = 1;
+  own.hint[0] = 0.5F;
   Neighbor edge;
   edge.body = wall(1, true);
   for (const Neighbor& n : {own, edge}) {
@@ -171,7 +174,7 @@ TEST_CASE("lanes clear no body of revolution that touches before the horizon or 
     // Again from the hints that the first look has left.
     for (int again = 0; again < 2; ++again, t += 1e-4) {
       const Bodies bodies = standing(crowd, t);
-      const PairLanes lanes(bodies, crowd.scene.cell);
+      const PairLanes lanes(bodies, crowd.scene.cell, lane_kernels());
       REQUIRE(lanes.kind() == PairLanes::Kind::revolution);
       const double horizon = t + zoo.log_uniform(1e-4, 0.5);
       const Seen seen = look(lanes, crowd, t, horizon);
@@ -203,7 +206,7 @@ TEST_CASE("lanes find balls touch when the search for one pair does") {
     add_own_image_and_wall(crowd, zoo);
     const Bodies bodies = standing(crowd, zoo.uniform(0.0, 1e-9));
     const double t = bodies.flight[0].clock, horizon = t + zoo.log_uniform(1e-3, 2.0);
-    const PairLanes lanes(bodies, crowd.scene.cell);
+    const PairLanes lanes(bodies, crowd.scene.cell, lane_kernels());
     const Seen seen = look(lanes, crowd, t, horizon);
     ContactSearch search(bodies, crowd.scene.cell);
     for (std::size_t k = 0; k < crowd.list.size(); ++k) {
@@ -250,12 +253,12 @@ TEST_CASE("lanes of balls report how deep the worst overlap is") {
   crowd.list[0].body = 1;
   crowd.list[1].body = 2;
   const Bodies bodies = bodies_of(scene);
-  const PairLanes lanes(bodies, scene.cell);
+  const PairLanes lanes(bodies, scene.cell, lane_kernels());
   // By the difference of squares, which for small overlaps is the gap.
   CHECK(look(lanes, crowd, 0.0, 1.0).least_gap == Approx(-0.25).epsilon(0.1));
   crowd.scene.movers[1].center.x = 3.5;
   const Bodies apart = bodies_of(crowd.scene);
-  CHECK(look(PairLanes(apart, scene.cell), crowd, 0.0, 1.0).least_gap == 0.0);
+  CHECK(look(PairLanes(apart, scene.cell, lane_kernels()), crowd, 0.0, 1.0).least_gap == 0.0);
 }
 
 TEST_CASE("lanes keep whoever has no number for a place as suspect") {
@@ -265,7 +268,38 @@ TEST_CASE("lanes keep whoever has no number for a place as suspect") {
   Bodies bodies = bodies_of(crowd.scene);
   if (PairLanes::kind_of(bodies) != PairLanes::Kind::revolution) return;
   bodies.flight[2].center.x = std::numeric_limits<double>::quiet_NaN();
-  CHECK(look(PairLanes(bodies, crowd.scene.cell), crowd, 0.0, 1e-6).suspect[1]);
+  CHECK(look(PairLanes(bodies, crowd.scene.cell, lane_kernels()), crowd, 0.0, 1e-6).suspect[1]);
+}
+
+TEST_CASE("every width of registers gives the same bits") {
+  std::vector<const LaneKernels*> widths{&kLanesByTwo};
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2") != 0) widths.push_back(&kLanesByFour);
+  if (__builtin_cpu_supports("avx512f") != 0) widths.push_back(&kLanesByEight);
+#endif
+  zoo::Zoo zoo(4);
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    const bool balls = round % 2 == 0;
+    Crowd crowd = crowd_of(static_cast<int>(zoo.uniform(1, 21)), zoo.uniform(0.0, 0.3), 0.0, zoo,
+                           [&] { return balls ? Sphere{0.3} : any_of_revolution(zoo); });
+    const Bodies bodies = standing(crowd, 1e-4);
+    const std::vector<Neighbor> fresh = crowd.list;
+    const Seen first = look({bodies, crowd.scene.cell, kLanesByTwo}, crowd, 1e-4, 0.2);
+    const std::vector<Neighbor> list = crowd.list;
+    for (const LaneKernels* kernels : widths) {
+      crowd.list = fresh;
+      const Seen same = look({bodies, crowd.scene.cell, *kernels}, crowd, 1e-4, 0.2);
+      REQUIRE(same.least_gap == first.least_gap);
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        REQUIRE(crowd.list[k].hint[0] == list[k].hint[0]);
+        REQUIRE(same.suspect[k].has_value() == first.suspect[k].has_value());
+        if (!same.suspect[k]) continue;
+        REQUIRE(same.suspect[k]->time == first.suspect[k]->time);
+        REQUIRE(same.suspect[k]->l == first.suspect[k]->l);
+      }
+    }
+  }
 }
 
 }  // namespace packstone::event_driven

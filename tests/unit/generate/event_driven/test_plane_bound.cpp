@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <tuple>
 
 #include "generate/event_driven/revolution_bound.hpp"
 #include "movers.hpp"
@@ -152,10 +151,19 @@ TEST_CASE("bodies of revolution have the same bound by the shorter way") {
     if (!are_revolution(bodies) || !s.two) return;
     const Vec3 velocity = s.scene.movers[1].velocity - s.scene.movers[0].velocity;
     s.scene.min_gap = 0.0;
-    RevolutionBound bound(s.plane.normal, s.between(0.0), velocity);
-    const auto& [a, b] = std::tie(bodies.spin[0], bodies.spin[1]);
-    bound.set_a(a, a.axis, bodies.flight[0].turn, bodies.reach[0], bodies.size, bodies.growth);
-    bound.set_b(b, b.axis, bodies.flight[1].turn, bodies.reach[1], bodies.size, bodies.growth);
+    const auto of_revolution = [&](std::size_t k) {
+      const Spin& spin = bodies.spin[k];
+      const double lateral = spin.lateral * spin.lateral;
+      return Revolution<double, Vec3>{spin.axis, spin.angular, lateral,
+                                      spin.axial * spin.axial - lateral, bodies.flight[k].turn};
+    };
+    const Revolution<double, Vec3> a = of_revolution(0), b = of_revolution(1);
+    const RevolutionPlane<double, Vec3> plane{s.plane.normal, 0.5, dot(s.plane.normal, a.axis),
+                                              dot(s.plane.normal, b.axis)};
+    const RevolutionBound bound(
+        plane, a, b, s.between(0.0),
+        {bodies.reach[0], bodies.reach[1], bodies.size, bodies.growth, velocity});
+    REQUIRE(bound.length() == Approx(norm(s.plane.normal)));
     const PlaneBound same = bound_of(s);
     REQUIRE(std::abs(bound.now() - same.at(0.0)) <= slack(s, 0.0));
     REQUIRE(bound.slope_now() == Approx(same.slope(0.0)).margin(slack(s, 0.0)));
