@@ -57,7 +57,8 @@ int main(int argc, char** argv) {
   } else if (mode == "rates") {
     all_passed = run_rates(count(2, 3));
   } else if (mode == "densest") {
-    all_passed = run_densest(number(2, 60.0), argc > 3 ? argv[3] : "");
+    all_passed = run_densest(number(2, 60.0), argc > 3 ? argv[3] : "",
+                             static_cast<std::uint64_t>(count(4, 1)));
   } else if (mode == "physics") {
     all_passed = run_physics(count(2, 10));
   } else if (mode == "reference") {

@@ -69,7 +69,7 @@ bool run_figures(int seeds);
 bool run_curves(int seeds, int most);
 bool run_scaling(std::int64_t largest);
 bool run_rates(int seeds);
-bool run_densest(double seconds, const std::string& only);
+bool run_densest(double seconds, const std::string& only, std::uint64_t seed);
 bool run_physics(int realizations);
 bool run_reference(int seeds, double limit_s);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "generate/event_driven/contact_gap.hpp"
 #include "generate/event_driven/plane_bound.hpp"
@@ -28,12 +29,12 @@ Vec3 revolution_point(const Revolution<double, Vec3>& body, const Spin& spin, co
 }
 
 // A gap that opens is taken for a part of the gap that counts as contact at least, so that the
-// search gets away from it. Returns it as it is then; `length` is that of the normal of the bound.
+// search gets away from it. Returns it as it is then.
 template <class Bound>
-double held_open(Bound& bound, double gap, double contact_gap, double length) {
+double held_open(Bound& bound, double gap, double contact_gap) {
   constexpr double kLeast = 0.1;
   const double lift = std::max(0.0, kLeast * contact_gap - gap);
-  bound.raise(lift * length);
+  bound.raise(lift * bound.length());
   return gap + lift;
 }
 
@@ -237,108 +238,149 @@ Found ContactSearch::first_contact_of_balls(std::int32_t i, const Partner& partn
   return {Finding::contact, t + after};
 }
 
-Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& partner, double t,
-                                                 double horizon, const Suspicion& suspicion) {
+// From time to time, each of them proven free, until a plane holds to the horizon or the pair
+// touches.
+template <class Pair>
+Found ContactSearch::march(Pair& pair, double time, double horizon, double contact_gap) {
   ++count_.searches;
-  const Turning a(bodies_, i), b(bodies_, partner.body);
-  const Flight& flight_a = bodies_.flight[static_cast<std::size_t>(i)];
-  const Flight& flight_b = bodies_.flight[static_cast<std::size_t>(partner.body)];
-  const Vec3 velocity = flight_b.velocity - flight_a.velocity;
-  const Vec3 from = between_centers(bodies_, i, partner, t);
-  const double contact_gap = this->contact_gap(i, partner, t);
-  RevolutionPlane<double, Vec3> plane{{}, suspicion.l, 0.0, 0.0};
-  double time = t + suspicion.clear;
-  if (time >= horizon) return {};
   for (int step = 0; step < kMostSteps; ++step) {
     ++count_.steps;
-    const double size = bodies_.size_at(time);
-    const Revolution<double, Vec3> now_a = a.at(time), now_b = b.at(time);
-    const Vec3 r = from + (time - t) * velocity;
-    const RevolutionBound::Moving moving{a.reach, b.reach, size, bodies_.growth, velocity};
-    plane = plane_step(now_a, now_b, r, plane.l);
-    RevolutionBound bound(plane, now_a, now_b, r, moving);
-    double length = bound.length();
-    double gap = bound.now() / length;
-    if (gap <= contact_gap) {
-      plane = best_plane(now_a, now_b, r, plane.l);
-      bound = RevolutionBound(plane, now_a, now_b, r, moving);
-      length = bound.length();
-      gap = bound.now() / length;
-      if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
+    pair.go_to(time);
+    auto bound = pair.bound();
+    double gap = bound.now() / bound.length();
+    if (gap <= contact_gap && pair.refine()) {
+      bound = pair.bound();
+      gap = bound.now() / bound.length();
     }
+    if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
     if (gap <= contact_gap) {
-      if (bound.slope_now() < 0.0) return {Finding::contact, time};
-      gap = held_open(bound, gap, contact_gap, length);
+      if (pair.closes(bound)) return {Finding::contact, time};
+      gap = held_open(bound, gap, contact_gap);
     }
     const double rest = horizon - time;
     if (bound.at(rest) >= 0.0) return {};
-    const double aim = std::min(kAimedPart * contact_gap, 0.5 * gap) * length;
+    const double aim = std::min(kAimedPart * contact_gap, 0.5 * gap) * bound.length();
     const double later = time + safe_time(bound, rest, aim);
-    if (later <= time) break;
+    // A plane known from before may be too bad to get on with.
+    if (later <= time && step > 0) break;
     time = later;
   }
   return {Finding::look_again, time};
 }
 
+// Two bodies of revolution on their way, and the plane between them.
+class ContactSearch::PairOfRevolution {
+ public:
+  PairOfRevolution(const ContactSearch& search, std::int32_t i, const Partner& partner, double t,
+                   double l)
+      : bodies_(search.bodies_),
+        a_(bodies_, i),
+        b_(bodies_, partner.body),
+        start_(t),
+        from_(between_centers(bodies_, i, partner, t)),
+        moving_{a_.reach, b_.reach, 0.0, bodies_.growth,
+                bodies_.flight[static_cast<std::size_t>(partner.body)].velocity -
+                    bodies_.flight[static_cast<std::size_t>(i)].velocity},
+        plane_{{}, l} {}
+
+  void go_to(double time) {
+    moving_.size = bodies_.size_at(time);
+    now_a_ = a_.at(time);
+    now_b_ = b_.at(time);
+    r_ = from_ + (time - start_) * moving_.velocity;
+    plane_ = plane_step(now_a_, now_b_, r_, plane_.l);
+  }
+  bool refine() {
+    plane_ = best_plane(now_a_, now_b_, r_, plane_.l);
+    return true;
+  }
+  [[nodiscard]] RevolutionBound bound() const {
+    return {plane_.normal, now_a_, now_b_, r_, moving_};
+  }
+  [[nodiscard]] bool closes(const RevolutionBound& bound) const { return bound.slope_now() < 0.0; }
+
+ private:
+  const Bodies& bodies_;
+  Turning a_, b_;
+  double start_;
+  Vec3 from_;
+  RevolutionBound::Moving moving_;
+  Revolution<double, Vec3> now_a_{}, now_b_{};
+  Vec3 r_;
+  RevolutionPlane<double, Vec3> plane_;
+};
+
+Found ContactSearch::first_contact_of_revolution(std::int32_t i, const Partner& partner, double t,
+                                                 double horizon, const Suspicion& suspicion) {
+  const double time = t + suspicion.clear;
+  if (time >= horizon) return {};
+  PairOfRevolution pair(*this, i, partner, t, suspicion.l);
+  return march(pair, time, horizon, contact_gap(i, partner, t));
+}
+
+// Two bodies of any shape, or a body and a wall, and the plane between them.
+class ContactSearch::AnyPair {
+ public:
+  AnyPair(const ContactSearch& search, std::int32_t i, const Partner& partner, Vec3& normal)
+      : search_(search), bodies_(search.bodies_), i_(i), partner_(partner), normal_(normal) {}
+
+  void go_to(double time) {
+    time_ = time;
+    now_ = search_.instant(i_, partner_, time);
+    // The plane that is known to begin with is tried as it is.
+    const bool known = std::exchange(fresh_, false) && !(normal_ == Vec3{});
+    if (!known) normal_ = now_.normal(bodies_.min_gap, normal_, effort_);
+  }
+  bool refine() {
+    if (effort_ == Effort::touch) return false;
+    effort_ = Effort::touch;
+    normal_ = now_.normal(bodies_.min_gap, normal_, effort_);
+    return true;
+  }
+  [[nodiscard]] PlaneBound bound() const {
+    MovingPlane plane{normal_, {}};
+    if (!now_.smooth && !now_.wall) {
+      plane.rate = normal_rate(now_.a, now_.b, now_.angular_a, now_.angular_b, normal_);
+    }
+    PlaneBound bound(plane, now_.r, now_.velocity, now_.wall ? 0.0 : bodies_.min_gap);
+    add_body(bound, i_, now_.a);
+    if (!now_.wall) add_body(bound, partner_.body, now_.b);
+    return bound;
+  }
+  [[nodiscard]] bool closes(const PlaneBound& bound) const {
+    if (now_.smooth) return bound.slope(0.0) < 0.0;
+    return search_.contact(i_, partner_, time_, normal_).approach > 0.0;
+  }
+
+ private:
+  void add_body(PlaneBound& bound, std::int32_t i, const PosedBody& body) const {
+    const auto k = static_cast<std::size_t>(i);
+    bound.add_body(body.form, bodies_.spin[k], body.pose, bodies_.second_semi_axis(k),
+                   bodies_.reach[k], now_.size, bodies_.growth);
+  }
+
+  const ContactSearch& search_;
+  const Bodies& bodies_;
+  std::int32_t i_;
+  const Partner& partner_;
+  Vec3& normal_;
+  double time_ = 0.0;
+  Instant now_;
+  Effort effort_ = Effort::step;
+  bool fresh_ = true;
+};
+
 Found ContactSearch::first_contact(std::int32_t i, const Partner& partner, double t, double horizon,
                                    Vec3& normal) {
-  ++count_.searches;
-  const auto k = static_cast<std::size_t>(i);
-  const bool two = !is_wall(partner.body);
-  if (two && bodies_.form[k] == Form::ball &&
-      bodies_.form[static_cast<std::size_t>(partner.body)] == Form::ball) {
+  const auto is_ball = [&](std::int32_t k) {
+    return bodies_.form[static_cast<std::size_t>(k)] == Form::ball;
+  };
+  if (!is_wall(partner.body) && is_ball(i) && is_ball(partner.body)) {
+    ++count_.searches;
     return first_contact_of_balls(i, partner, t, horizon);
   }
-  const double contact_gap = this->contact_gap(i, partner, t);
-  const double growth = bodies_.growth;
-  double time = t;
-  Effort effort = Effort::step;
-  for (int step = 0; step < kMostSteps; ++step) {
-    ++count_.steps;
-    const Instant now = instant(i, partner, time);
-    MovingPlane plane{};
-    const auto bound_of = [&] {
-      const bool known = step == 0 && effort == Effort::step && !(normal == Vec3{});
-      plane.normal = known ? normal : now.normal(bodies_.min_gap, normal, effort);
-      plane.rate = now.smooth || now.wall
-                       ? Vec3{}
-                       : normal_rate(now.a, now.b, now.angular_a, now.angular_b, plane.normal);
-      PlaneBound bound(plane, now.r, now.velocity, now.wall ? 0.0 : bodies_.min_gap);
-      const Spin& spin = bodies_.spin[k];
-      const double second = bodies_.second_semi_axis(k);
-      bound.add_body(now.a.form, spin, now.a.pose, second, bodies_.reach[k], now.size, growth);
-      if (!two) return bound;
-      const auto j = static_cast<std::size_t>(partner.body);
-      bound.add_body(now.b.form, bodies_.spin[j], now.b.pose, bodies_.second_semi_axis(j),
-                     bodies_.reach[j], now.size, growth);
-      return bound;
-    };
-    PlaneBound bound = bound_of();
-    double length = norm(plane.normal);
-    double gap = bound.at(0.0) / length;
-    if (gap <= contact_gap && effort == Effort::step) {
-      effort = Effort::touch;
-      normal = plane.normal;
-      bound = bound_of();
-      length = norm(plane.normal);
-      gap = bound.at(0.0) / length;
-    }
-    normal = plane.normal;
-    if (step == 0) count_.least_gap = std::min(count_.least_gap, gap);
-    if (gap <= contact_gap) {
-      const bool closes =
-          now.smooth ? bound.slope(0.0) < 0.0 : contact(i, partner, time, normal).approach > 0.0;
-      if (closes) return {Finding::contact, time};
-      gap = held_open(bound, gap, contact_gap, length);
-    }
-    const double rest = horizon - time;
-    if (bound.at(rest) >= 0.0) return {};
-    const double aim = std::min(kAimedPart * contact_gap, 0.5 * gap) * length;
-    const double later = time + bound.safe_until(rest, aim);
-    if (later <= time && step > 0) break;
-    time = later;
-  }
-  return {Finding::look_again, time};
+  AnyPair pair(*this, i, partner, normal);
+  return march(pair, t, horizon, contact_gap(i, partner, t));
 }
 
 }  // namespace packstone::event_driven

@@ -97,6 +97,10 @@ class ContactSearch {
  private:
   struct Instant;
   struct Turning;
+  class PairOfRevolution;
+  class AnyPair;
+  template <class Pair>
+  Found march(Pair& pair, double time, double horizon, double contact_gap);
   Instant instant(std::int32_t i, const Partner& partner, double t) const;
   Found first_contact_of_balls(std::int32_t i, const Partner& partner, double t, double horizon);
 

@@ -128,10 +128,10 @@ struct Support {
   }
 };
 
-PACKSTONE_LANES Support support_of(const Side& side, const Lanes3& n, const Lanes& along,
-                                   const Lanes& reach) {
+// See RevolutionBound for what is along the axis.
+PACKSTONE_LANES Support support_of(const Side& side, const Lanes3& n, const Lanes& reach) {
   const Lanes3 k = cross(n, side.angular);
-  const Lanes k_along = dot(k, side.axis);
+  const Lanes along = dot(n, side.axis), k_along = dot(k, side.axis);
   const Lanes length = magnitude(k.x) + magnitude(k.y) + magnitude(k.z);
   return {larger(side.lateral * dot(n, n) + side.extra * along * along, Lanes{}),
           side.extra * along * k_along, side.lateral * dot(k, k) + side.extra * k_along * k_along,
@@ -199,8 +199,8 @@ PACKSTONE_LANES std::size_t look_at_revolution(const PairQuestion& q, Suspect* s
     const Lanes slack = contact_gap * (magnitude(n.x) + magnitude(n.y) + magnitude(n.z));
     const Bound bound{dot(n, g.r) - slack,
                       dot(n, g.velocity),
-                      support_of(a, n, plane.along_a, Lanes{} + reach_a),
-                      support_of(b, n, plane.along_b, reach_b),
+                      support_of(a, n, Lanes{} + reach_a),
+                      support_of(b, n, reach_b),
                       s,
                       growth};
     const Bound::Parts later = bound.at(g.horizon);

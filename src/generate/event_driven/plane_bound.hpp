@@ -107,9 +107,9 @@ class PlaneBound {
     return value;
   }
 
-  /// A time in (0, horizon), as late as a few steps find it, up to which G > aim for certain; given
-  /// G(0) > aim and G(horizon) < aim.
-  [[nodiscard]] double safe_until(double horizon, double aim) const;
+  [[nodiscard]] double now() const { return at(0.0); }
+  /// Of the normal.
+  [[nodiscard]] double length() const { return normal_length_; }
 
  private:
   // sqrt(a0 + 2 a1 t + a2 t^2), the length of an affine vector.
@@ -205,10 +205,6 @@ inline void PlaneBound::add_body(Form form, const Spin& spin, const Pose& pose, 
       add_ball(spin.lateral);
       break;
   }
-}
-
-inline double PlaneBound::safe_until(double horizon, double aim) const {
-  return safe_time(*this, horizon, aim);
 }
 
 }  // namespace packstone::event_driven

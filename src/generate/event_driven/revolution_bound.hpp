@@ -22,20 +22,21 @@ class RevolutionBound {
     Vec3 velocity;  ///< Of b seen from a.
   };
 
-  RevolutionBound(const RevolutionPlane<double, Vec3>& plane, const Revolution<double, Vec3>& a,
+  RevolutionBound(const Vec3& normal, const Revolution<double, Vec3>& a,
                   const Revolution<double, Vec3>& b, const Vec3& r, const Moving& moving)
-      : length_sq_(norm_sq(plane.normal)),
-        c0_(dot(plane.normal, r)),
-        c1_(dot(plane.normal, moving.velocity)),
-        a_(root_of(a, plane.normal, plane.along_a, moving.reach_a, moving)),
-        b_(root_of(b, plane.normal, plane.along_b, moving.reach_b, moving)),
+      : length_sq_(norm_sq(normal)),
+        length_(std::sqrt(length_sq_)),
+        c0_(dot(normal, r)),
+        c1_(dot(normal, moving.velocity)),
+        a_(root_of(a, normal, moving.reach_a, moving)),
+        b_(root_of(b, normal, moving.reach_b, moving)),
         now_a_(std::sqrt(a_.a0)),
         now_b_(std::sqrt(b_.a0)) {}
 
   void raise(double by) { c0_ += by; }
 
   /// Of the normal.
-  [[nodiscard]] double length() const { return std::sqrt(length_sq_); }
+  [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double now() const { return c0_ - now_a_ - now_b_; }
   [[nodiscard]] double at(double t) const {
     return c0_ + t * (c1_ + t * (c2_ + t * c3_)) - a_.at(t) - b_.at(t);
@@ -54,12 +55,13 @@ class RevolutionBound {
     [[nodiscard]] double slope(double t) const { return (a1 + t * a2) / at(t); }
   };
 
-  // `along`: n.axis
-  Root root_of(const Revolution<double, Vec3>& body, const Vec3& n, double along, double reach,
+  // From the normal as it has been rounded: what the plane says that it has along the axis belongs
+  // to the normal before its last cancellation, which long bodies that are nearly parallel feel.
+  Root root_of(const Revolution<double, Vec3>& body, const Vec3& n, double reach,
                const Moving& moving) {
     const double s = moving.size, g = moving.growth;
     const Vec3 k = cross(n, body.angular);
-    const double kk = norm_sq(k), k_along = dot(k, body.axis);
+    const double kk = norm_sq(k), k_along = dot(k, body.axis), along = dot(n, body.axis);
     const double bend = reach * std::sqrt(kk);
     c2_ -= bend * (g + 0.5 * s * body.turn);
     c3_ -= bend * (0.5 * g * body.turn);
@@ -70,7 +72,7 @@ class RevolutionBound {
     return {s * s * n_n, s * (s * n_k + g * n_n), s * (s * k_k + 2.0 * g * n_k) + g * g * n_n};
   }
 
-  double length_sq_;
+  double length_sq_, length_;
   double c0_, c1_, c2_ = 0.0, c3_ = 0.0;
   Root a_, b_;
   double now_a_, now_b_;

@@ -40,7 +40,6 @@ template <class Number, class Vector>
 struct RevolutionPlane {
   Vector normal;
   Number l;
-  Number along_a, along_b;  ///< u.n, v.n
 };
 
 /// One Newton step from l; the normal is moved on to where the step ends.
@@ -83,7 +82,7 @@ template <class Number, class Vector>
   const Number raised = wanted > low ? wanted : low;
   const Number next = raised < high ? raised : high;
   const Number moved = next - l;
-  return {n + moved * slope, next, along_a + moved * slope_a, along_b + moved * slope_b};
+  return {n + moved * slope, next};
 }
 
 }  // namespace packstone::event_driven

@@ -57,9 +57,10 @@ inline SupportJet support_jet(const PosedBody& body, const Tangents& at, double 
   }
   const double h = end * body.axial, r = body.lateral;
   if (body.form == Form::spherocylinder) return jet_of_profile(h * x + r, h, 0.0, x, x_1, x_2);
-  // Away from the corner of the profile at x = 1.
+  // Away from the corner of the profile at x = 1; not by way of 1 - x^2, of which nothing is left
+  // there.
   constexpr double kLeastFlat = 1e-12;
-  const double flat = std::sqrt(std::max(kLeastFlat, 1.0 - x * x));
+  const double flat = std::max(kLeastFlat, norm(at.d - x * u));
   return jet_of_profile(h * x + r * flat, h - r * x / flat, -r / (flat * flat * flat), x, x_1, x_2);
 }
 

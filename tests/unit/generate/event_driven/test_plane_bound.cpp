@@ -158,10 +158,8 @@ TEST_CASE("bodies of revolution have the same bound by the shorter way") {
                                       spin.axial * spin.axial - lateral, bodies.flight[k].turn};
     };
     const Revolution<double, Vec3> a = of_revolution(0), b = of_revolution(1);
-    const RevolutionPlane<double, Vec3> plane{s.plane.normal, 0.5, dot(s.plane.normal, a.axis),
-                                              dot(s.plane.normal, b.axis)};
     const RevolutionBound bound(
-        plane, a, b, s.between(0.0),
+        s.plane.normal, a, b, s.between(0.0),
         {bodies.reach[0], bodies.reach[1], bodies.size, bodies.growth, velocity});
     REQUIRE(bound.length() == Approx(norm(s.plane.normal)));
     const PlaneBound same = bound_of(s);
@@ -174,7 +172,7 @@ TEST_CASE("bodies of revolution have the same bound by the shorter way") {
   });
 }
 
-TEST_CASE("up to the time that safe_until() returns the bound stays above its aim") {
+TEST_CASE("up to the time that safe_time() returns the bound stays above its aim") {
   int asked = 0, late = 0;
   for_each_setting(6, 40, [&](const Setting& s, zoo::Zoo& zoo) {
     const PlaneBound bound = bound_of(s);
@@ -183,7 +181,7 @@ TEST_CASE("up to the time that safe_until() returns the bound stays above its ai
     const double horizon = zoo.log_uniform(0.01, 10.0);
     const double aim = start * (zoo.uniform(0, 1) < 0.5 ? 1e-9 : zoo.uniform(0, 0.9));
     if (bound.at(horizon) >= aim) return;
-    const double safe = bound.safe_until(horizon, aim);
+    const double safe = safe_time(bound, horizon, aim);
     REQUIRE(safe > 0.0);
     REQUIRE(safe < horizon);
     for (int k = 0; k <= 20; ++k) REQUIRE(bound.at(safe * k / 20.0) >= aim - slack(s, safe));
