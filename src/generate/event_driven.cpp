@@ -138,10 +138,18 @@ class Run {
   // In a thin gas bodies may grow faster than where they crowd: there is room to get out of the
   // way.
   [[nodiscard]] bool is_thin() const { return at_.pressure > 0.0 && at_.pressure < kThin; }
+  // Bodies that have become that crowded find no other places any more: what is left is to close
+  // the gaps, half of all the collisions there are at a constant rate.
+  [[nodiscard]] bool is_frozen() const {
+    constexpr double kFrozen = 300.0;
+    return options_.goal == EventDrivenGoal::densest && at_.pressure > kFrozen;
+  }
   [[nodiscard]] double growth_rate_now() const {
+    constexpr double kFrozenFaster = 10.0;
     constexpr double kFastest = 1.0;
     const double fastest = std::max(kFastest, at_.growth_rate);
     if (result_.state.size_factor < dilute_until()) return fastest;
+    if (is_frozen()) return std::min(options_.growth_rate, kFrozenFaster * at_.growth_rate);
     if (!is_thin()) return at_.growth_rate;
     const double part = kThin / at_.pressure;
     return std::min(fastest, at_.growth_rate * part * part);

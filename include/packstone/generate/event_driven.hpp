@@ -38,7 +38,8 @@ struct EventDrivenOptions {
   /// The slowest growth rate [-]. In (0, growth_rate]. target: the rate is halved, down to this,
   /// when the bodies jam; when they jam at this one the run ends. densest: the rate from where the
   /// fluid has become dense; the slower, the denser and the more ordered the packing, in inverse
-  /// proportion to the time it takes.
+  /// proportion to the time it takes. From a reduced pressure of 300 on nothing changes places any
+  /// more, and the gaps are closed ten times as fast, at growth_rate at the most.
   double slowest_growth = 1e-3;
 
   /// Per group: keep the orientations as they are. Empty: all bodies turn.
