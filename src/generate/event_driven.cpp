@@ -28,9 +28,10 @@ using edmd::Progressed;
 
 // Collisions per body in a block of events: neither are clocks set alike too often, nor does the
 // gas heat up much.
-constexpr double kBlockCollisions = 20.0;
+constexpr double kBlockCollisions = 30.0;
 constexpr double kLeastBlockCollisions = 200.0;
-// As long as the pressure, which decides on the growth rate, is not known.
+// As long as the pressure, which decides on the growth rate, is not known; and while it changes
+// fast.
 constexpr double kFirstBlockCollisions = 1.0;
 constexpr double kThinBlockCollisions = 6.0;
 constexpr double kThin = 12.0;  // Reduced pressure.

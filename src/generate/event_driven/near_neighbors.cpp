@@ -11,7 +11,7 @@ namespace {
 // Numbers of neighbors that runs are fastest with, as measured: more of them where bodies are so
 // long that finding them takes long.
 constexpr double kFewNeighbors = 14.0;
-constexpr double kManyNeighbors = 40.0;
+constexpr double kManyNeighbors = 36.0;
 constexpr double kLong = 5.0;
 
 double least_semi_axis(Form form, const Spin& spin, double second) {

@@ -57,7 +57,8 @@ class ReferenceGrid {
   /// Empties the grid and lays it out for bodies of these reaches.
   void reset(const std::vector<double>& reaches);
 
-  /// Centers lie inside the cell along periodic axes. The reach may be larger than at reset().
+  /// Centers lie inside the cell along periodic axes, anywhere along walled ones. The reach may be
+  /// larger than at reset().
   void insert(std::int32_t body, const Capsule& capsule);
   void remove(std::int32_t body);
 
@@ -94,10 +95,16 @@ class ReferenceGrid {
     const auto cell_of = [&](double x) { return static_cast<int>(std::floor(x * per_edge)); };
     Range r{cell_of(low), cell_of(high)};
     if (!cell_.periodic[axis]) {
-      r.first = std::max(r.first, 0);
-      r.last = std::min(r.last, n - 1);
+      r.first = std::clamp(r.first, 0, n - 1);
+      r.last = std::clamp(r.last, 0, n - 1);
     }
     return r;
+  }
+
+  // Does a grid cell hold what lies outside a wall as well?
+  [[nodiscard]] bool has_outside(const Level& level, std::size_t axis, int k) const {
+    if (cell_.periodic[axis] || axis >= static_cast<std::size_t>(cell_.dimension)) return false;
+    return k == 0 || k == level.dims[axis] - 1;
   }
 
   template <class Visit>
@@ -120,7 +127,10 @@ class ReferenceGrid {
     // Edges of a grid cell, and how far from the segment its middle can be.
     const Vec3 edge{cell_.size.x / nx, cell_.size.y / ny, cell_.size.z / nz};
     const double far = capsule.radius + level.largest + slack_ + 0.5 * norm(edge);
-    const auto out_of_reach = [&](double x, double y, double z) {
+    const auto out_of_reach = [&](int x, int y, int z) {
+      if (has_outside(level, 0, x) || has_outside(level, 1, y) || has_outside(level, 2, z)) {
+        return false;
+      }
       const Vec3 p{(x + 0.5) * edge.x - capsule.center.x, (y + 0.5) * edge.y - capsule.center.y,
                    (z + 0.5) * edge.z - capsule.center.z};
       const double along = dot(p, capsule.axis);

@@ -32,8 +32,8 @@ const Scattering kScatterings[] = {
     {"all shapes", {}, 80, {sphere, ellipsoid, cylinder, spherocylinder}, 0.05, 0.3, 0.0, 0.2},
     {"between walls", kWalls, 60, {sphere, ellipsoid, cylinder}, 0.05, 0.2, 4.0, 0.1},
     {"the plane", cell_2d(1.0, 0.7), 80, {disk, ellipse}, 0.05, 0.1, 0.0, 0.1},
-    {"with two lists", {}, 420, {ellipsoid}, 0.2, 0.25, 30.0, 0.05},
-    {"rods with two lists", {}, 410, {cylinder, spherocylinder}, 0.15, 0.3, 20.0},
+    {"many needles", {}, 420, {ellipsoid}, 0.2, 0.25, 30.0, 0.05},
+    {"many rods", {}, 410, {cylinder, spherocylinder}, 0.15, 0.3, 20.0},
 };
 
 using Image = std::array<int, 3>;
