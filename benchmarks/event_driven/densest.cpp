@@ -23,13 +23,13 @@ struct DensestCase {
 };
 
 constexpr DensestCase kCases[] = {
-    {"spheres", 0.1, 2e-3, 0.645},   {"prolate-1.5", 0.1, 4e-4, 0.722},
-    {"scalene", 0.1, 1.1e-3, 0.740},     {"prolate-2", 0.1, 5e-4, 0.709},
-    {"prolate-10", 0.1, 1e-3, 0.500},  {"prolate-40", 0.1, 1e-3, 0.200},
-    {"mixture-3", 0.1, 6e-4, 0.650},   {"mixture-5", 0.1, 6e-4, 0.620},
-    {"cylinders-1", 0.1, 6e-4, 0.730}, {"cylinders-3", 0.1, 4e-4, 0.640},
-    {"cylinders-5", 0.1, 6e-4, 0.620}, {"cylinders-10", 0.1, 8e-4, 0.470},
-    {"disks", 0.1, 3e-4, 0.840},       {"ellipses-1.4", 0.1, 1e-3, 0.890},
+    {"spheres", 0.1, 2e-3, 0.645},       {"prolate-1.5", 0.1, 3e-4, 0.722},
+    {"scalene", 0.1, 1.1e-3, 0.740},     {"prolate-2", 0.1, 4e-4, 0.709},
+    {"prolate-10", 0.1, 6e-4, 0.500},    {"prolate-40", 0.1, 6e-4, 0.200},
+    {"mixture-3", 0.1, 1.2e-4, 0.650},   {"mixture-5", 0.1, 1.4e-4, 0.620},
+    {"cylinders-1", 0.1, 1.5e-4, 0.730}, {"cylinders-3", 0.1, 1.5e-4, 0.640},
+    {"cylinders-5", 0.1, 3e-4, 0.620},   {"cylinders-10", 0.1, 4e-4, 0.470},
+    {"disks", 0.1, 1e-4, 0.840},         {"ellipses-1.4", 0.1, 3e-4, 0.890},
 };
 
 // Sizes are open; those ordered only say in which proportion they are.
