@@ -211,6 +211,7 @@ void NeighborLists::add(std::int32_t i, const Neighbor& neighbor) {
   append(i, neighbor);
   if (neighbor.body == i || is_wall(neighbor.body)) return;
   Neighbor back = reversed(neighbor, i);
+  // Of a pair that is new only Perram and Wertheim's l is known, if anything.
   if (neighbor.hint[0] > 0.0F) back.hint[0] = 1.0F - neighbor.hint[0];
   append(neighbor.body, back);
 }

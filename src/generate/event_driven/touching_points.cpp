@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "generate/event_driven/contact_gap.hpp"
@@ -33,7 +34,7 @@ Rest rest_of(const PosedBody& body, const Vec3& n) {
 
 Vec3 flattened(const Vec3& v, const Vec3& n) { return v - dot(v, n) * n; }
 
-// `n` points out of the body.
+// `out`, n or -n, points out of the body.
 Side side_of(const PosedBody& body, const Vec3& center, const Vec3& n, const Vec3& out) {
   Side side;
   side.rest = rest_of(body, n);
@@ -153,12 +154,8 @@ TouchingPoints touching_points(const PosedBody& a, const PosedBody& b, const Vec
 Vec3 touching_point(const PosedBody& body, const Vec3& n, const Vec3& toward) {
   const Side side = side_of(body, {}, n, n);
   if (side.rest == Rest::point) return support_point(body, n);
-  const Vec3 flat = flattened(toward, n);
-  const Vec3 own =
-      side.rest == Rest::line
-          ? of_stretch(side, -side.extent, side.extent, flat)
-          : (norm_sq(flat) > 0.0 ? side.middle + (side.extent / norm(flat)) * flat : side.middle);
-  return own + support(body, n) * n;
+  const Side wall{Rest::flat, {}, {}, std::numeric_limits<double>::infinity()};
+  return shared_point(side, wall, flattened(toward, n)) + support(body, n) * n;
 }
 
 }  // namespace packstone::event_driven
