@@ -11,7 +11,7 @@ namespace {
 // Numbers of neighbors that runs are fastest with, as measured: more of them where bodies are so
 // long that finding them takes long.
 constexpr double kFewNeighbors = 14.0;
-constexpr double kManyNeighbors = 36.0;
+constexpr double kManyNeighbors = 28.0;
 constexpr double kLong = 5.0;
 
 double least_semi_axis(Form form, const Spin& spin, double second) {
@@ -89,13 +89,13 @@ double NearNeighbors::adapted_margin(std::int32_t i) const {
 // Takes all bodies as they stand, with margins of `margin` times their scale, into the grid.
 void NearNeighbors::stand_all(double t, double margin) {
   const std::int32_t n = bodies_.count();
-  std::vector<double> reaches;
-  reaches.reserve(static_cast<std::size_t>(n));
+  std::vector<Capsule> capsules;
+  capsules.reserve(static_cast<std::size_t>(n));
   for (std::int32_t i = 0; i < n; ++i) {
     near_.set(i, t, margin * margin_scale_[static_cast<std::size_t>(i)]);
-    reaches.push_back(near_.reach(i));
+    capsules.push_back(near_.capsule(i));
   }
-  grid_.reset(reaches);
+  grid_.reset(capsules);
 }
 
 // Margins, in units of each body's own scale, at which bodies have as many neighbors as wanted:

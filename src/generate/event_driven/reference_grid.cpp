@@ -7,10 +7,50 @@
 namespace packstone::event_driven {
 namespace {
 
-// Bodies per grid cell that a query is fastest with, as measured.
+// Bodies per grid cell that a query is fastest with, and pieces of long ones, as measured.
 constexpr double kBodiesPerCell = 6.0;
+constexpr double kPiecesPerCell = 12.0;
 constexpr int kMostCellsAlong = 1024;
 constexpr int kMostLevels = 40;
+constexpr double kMostPieces = 64.0;
+
+double pieces_of(const Capsule& capsule, double piece) {
+  return std::max(1.0, std::floor(2.0 * capsule.half / piece));
+}
+
+// The edge of grid cells that hold as many pieces as wanted, these being about as long as the edge.
+double edge_for(const Cell& cell, const std::vector<Capsule>& capsules, double per_cell) {
+  constexpr int kRounds = 8;  // Each of them has a third of the error.
+  const int dimension = cell.dimension;
+  const auto edge_of = [&](double pieces) {
+    const double wanted = std::max(1.0, pieces / per_cell);
+    return dimension == 2 ? std::sqrt(volume(cell) / wanted) : std::cbrt(volume(cell) / wanted);
+  };
+  double radius = 0.0, half = 0.0;
+  for (const Capsule& c : capsules) {
+    radius = std::max(radius, c.radius);
+    half = std::max(half, c.half);
+  }
+  // Far finer than what they hold, grid cells are only walked over.
+  const double least = std::max(0.5 * radius, 2.0 * half / kMostPieces);
+  double edge = edge_of(static_cast<double>(capsules.size()));
+  for (int round = 0; round < kRounds; ++round) {
+    double pieces = 0.0;
+    for (const Capsule& c : capsules) pieces += std::max(1.0, 2.0 * c.half / edge);
+    edge = std::max(least, edge_of(pieces));
+  }
+  return std::max(least, edge);
+}
+
+void move_lane(const CapsuleChunk& from, std::size_t lane, CapsuleChunk& to, std::size_t there) {
+  for (auto lanes :
+       {&CapsuleChunk::x, &CapsuleChunk::y, &CapsuleChunk::z, &CapsuleChunk::axis_x,
+        &CapsuleChunk::axis_y, &CapsuleChunk::axis_z, &CapsuleChunk::half, &CapsuleChunk::radius}) {
+    (to.*lanes)[there] = (from.*lanes)[lane];
+  }
+  to.body[there] = from.body[lane];
+  std::copy_n(from.wrap[lane], 3, to.wrap[there]);
+}
 
 }  // namespace
 
@@ -28,58 +68,63 @@ std::int32_t ReferenceGrid::level_of(double reach) const {
   return std::min(exponent, static_cast<int>(levels_.size()) - 1);
 }
 
-void ReferenceGrid::shape(Level& level, std::int64_t bodies, double reach) const {
-  const double wanted = std::max(1.0, static_cast<double>(bodies) / kBodiesPerCell);
-  const double edge =
-      cell_.dimension == 2 ? std::sqrt(volume(cell_) / wanted) : std::cbrt(volume(cell_) / wanted);
-  // Far finer than what they hold, grid cells are only walked over.
-  const double least = std::max(edge, 0.5 * reach);
+void ReferenceGrid::shape(Level& level, const std::vector<Capsule>& capsules) {
+  level.piece = edge_for(cell_, capsules, kBodiesPerCell);
+  const bool cut = std::any_of(capsules.begin(), capsules.end(),
+                               [&](const Capsule& c) { return pieces_of(c, level.piece) > 1.0; });
+  if (cut) level.piece = edge_for(cell_, capsules, kPiecesPerCell);
   std::size_t cells = 1;
   for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
-    level.dims[a] = std::clamp(static_cast<int>(cell_.size[a] / least), 1, kMostCellsAlong);
+    level.dims[a] = std::clamp(static_cast<int>(cell_.size[a] / level.piece), 1, kMostCellsAlong);
     cells *= static_cast<std::size_t>(level.dims[a]);
   }
   level.chunks.assign(cells, {});
 }
 
-void ReferenceGrid::reset(const std::vector<double>& reaches) {
+void ReferenceGrid::reset(const std::vector<Capsule>& capsules) {
   levels_.clear();
-  places_.assign(reaches.size(), {});
-  if (reaches.empty()) return;
-  const auto [low, high] = std::minmax_element(reaches.begin(), reaches.end());
-  smallest_ = *low;
-  levels_.resize(static_cast<std::size_t>(std::min(kMostLevels, 1 + std::ilogb(*high / *low))));
-  std::vector<std::int64_t> count(levels_.size(), 0);
-  for (const double reach : reaches) {
-    const auto l = static_cast<std::size_t>(level_of(reach));
-    ++count[l];
-    levels_[l].largest = std::max(levels_[l].largest, reach);
+  places_.assign(capsules.size(), {});
+  first_.assign(capsules.size(), 0);
+  if (capsules.empty()) return;
+  const auto [low, high] =
+      std::minmax_element(capsules.begin(), capsules.end(),
+                          [](const Capsule& a, const Capsule& b) { return a.reach() < b.reach(); });
+  smallest_ = low->reach();
+  const int doublings = std::ilogb(high->reach() / smallest_);
+  levels_.resize(static_cast<std::size_t>(std::min(kMostLevels, 1 + doublings)));
+  std::vector<std::vector<Capsule>> of_level(levels_.size());
+  for (std::size_t k = 0; k < capsules.size(); ++k) {
+    places_[k].level = level_of(capsules[k].reach());
+    of_level[static_cast<std::size_t>(places_[k].level)].push_back(capsules[k]);
   }
   for (std::size_t l = 0; l < levels_.size(); ++l) {
-    if (count[l] > 0) shape(levels_[l], count[l], levels_[l].largest);
-    levels_[l].largest = 0.0;
+    if (!of_level[l].empty()) shape(levels_[l], of_level[l]);
   }
+  std::int64_t pieces = 0;
+  for (std::size_t k = 0; k < capsules.size(); ++k) {
+    Level& level = levels_[static_cast<std::size_t>(places_[k].level)];
+    places_[k].first = pieces;
+    places_[k].pieces = static_cast<std::int32_t>(pieces_of(capsules[k], level.piece));
+    level.cut = level.cut || places_[k].pieces > 1;
+    pieces += places_[k].pieces;
+  }
+  grid_cells_.assign(static_cast<std::size_t>(pieces), 0);
 }
 
-void ReferenceGrid::insert(std::int32_t body, const Capsule& capsule) {
-  const Vec3& center = capsule.center;
-  const double reach = capsule.reach();
-  Place& place = places_[static_cast<std::size_t>(body)];
-  if (place.level < 0) {
-    place.level = level_of(reach);
-    // Bodies grow after the grid was laid out.
-    while (levels_[static_cast<std::size_t>(place.level)].chunks.empty()) --place.level;
+bool ReferenceGrid::is_new(std::int32_t body, const Image& image) {
+  std::uint32_t& first = first_[static_cast<std::size_t>(body)];
+  if (first < found_.size() && found_[first].body == body) {
+    const auto is_same = [&](const Seen& s) { return s.body == body && s.image == image; };
+    if (std::any_of(found_.begin() + first, found_.end(), is_same)) return false;
+  } else {
+    first = static_cast<std::uint32_t>(found_.size());
   }
-  Level& level = levels_[static_cast<std::size_t>(place.level)];
-  std::array<int, 3> index{};
-  for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
-    const int n = level.dims[a];
-    index[a] = std::clamp(static_cast<int>(center[a] * per_size_[a] * n), 0, n - 1);
-  }
-  place.cell = (index[2] * level.dims[1] + index[1]) * level.dims[0] + index[0];
-  level.largest = std::max(level.largest, reach);
-  ++level.bodies;
-  auto at = static_cast<std::size_t>(place.cell);
+  found_.push_back({body, image});
+  return true;
+}
+
+CapsuleChunk& ReferenceGrid::chunk_with_room(Level& level, std::int32_t grid_cell) {
+  auto at = static_cast<std::size_t>(grid_cell);
   while (level.chunks[at].count == static_cast<std::int32_t>(CapsuleChunk::kLanes)) {
     if (level.chunks[at].next < 0) {
       std::int32_t fresh = level.free;
@@ -94,27 +139,55 @@ void ReferenceGrid::insert(std::int32_t body, const Capsule& capsule) {
     }
     at = static_cast<std::size_t>(level.chunks[at].next);
   }
-  CapsuleChunk& chunk = level.chunks[at];
-  const auto lane = static_cast<std::size_t>(chunk.count++);
-  chunk.x[lane] = static_cast<float>(center.x);
-  chunk.y[lane] = static_cast<float>(center.y);
-  chunk.z[lane] = static_cast<float>(center.z);
-  chunk.axis_x[lane] = static_cast<float>(capsule.axis.x);
-  chunk.axis_y[lane] = static_cast<float>(capsule.axis.y);
-  chunk.axis_z[lane] = static_cast<float>(capsule.axis.z);
-  chunk.half[lane] = static_cast<float>(capsule.half);
-  chunk.radius[lane] = static_cast<float>(capsule.radius);
-  chunk.body[lane] = body;
+  return level.chunks[at];
 }
 
-void ReferenceGrid::remove(std::int32_t body) {
+void ReferenceGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
+                                 std::int32_t& grid_cell) {
+  std::array<int, 3> index{}, wrap{};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
+    const int n = level.dims[a];
+    if (cell_.periodic[a]) {
+      wrap[a] = static_cast<int>(std::floor(piece.center[a] * per_size_[a]));
+      piece.center[a] -= wrap[a] * cell_.size[a];
+    }
+    index[a] = std::clamp(static_cast<int>(piece.center[a] * per_size_[a] * n), 0, n - 1);
+  }
+  grid_cell = (index[2] * level.dims[1] + index[1]) * level.dims[0] + index[0];
+  level.largest = std::max(level.largest, piece.reach());
+  ++level.pieces;
+  CapsuleChunk& chunk = chunk_with_room(level, grid_cell);
+  const auto lane = static_cast<std::size_t>(chunk.count++);
+  chunk.x[lane] = static_cast<float>(piece.center.x);
+  chunk.y[lane] = static_cast<float>(piece.center.y);
+  chunk.z[lane] = static_cast<float>(piece.center.z);
+  chunk.axis_x[lane] = static_cast<float>(piece.axis.x);
+  chunk.axis_y[lane] = static_cast<float>(piece.axis.y);
+  chunk.axis_z[lane] = static_cast<float>(piece.axis.z);
+  chunk.half[lane] = static_cast<float>(piece.half);
+  chunk.radius[lane] = static_cast<float>(piece.radius);
+  chunk.body[lane] = body;
+  for (std::size_t a = 0; a < 3; ++a) chunk.wrap[lane][a] = static_cast<std::int16_t>(wrap[a]);
+}
+
+void ReferenceGrid::insert(std::int32_t body, const Capsule& capsule) {
   const Place& place = places_[static_cast<std::size_t>(body)];
   Level& level = levels_[static_cast<std::size_t>(place.level)];
-  --level.bodies;
+  Capsule piece = capsule;
+  piece.half = capsule.half / place.pieces;
+  for (std::int32_t k = 0; k < place.pieces; ++k) {
+    const double along = (2 * k + 1 - place.pieces) * piece.half;
+    if (place.pieces > 1) piece.center = capsule.center + along * capsule.axis;
+    insert_piece(level, body, piece, grid_cells_[static_cast<std::size_t>(place.first + k)]);
+  }
+}
+
+void ReferenceGrid::remove_piece(Level& level, std::int32_t body, std::int32_t grid_cell) {
+  --level.pieces;
   CapsuleChunk* held = nullptr;
   std::size_t lane = 0;
   CapsuleChunk* before = nullptr;
-  CapsuleChunk* last = &level.chunks[static_cast<std::size_t>(place.cell)];
+  CapsuleChunk* last = &level.chunks[static_cast<std::size_t>(grid_cell)];
   for (;;) {
     for (std::size_t l = 0; held == nullptr && l < static_cast<std::size_t>(last->count); ++l) {
       if (last->body[l] != body) continue;
@@ -125,17 +198,19 @@ void ReferenceGrid::remove(std::int32_t body) {
     before = last;
     last = &level.chunks[static_cast<std::size_t>(last->next)];
   }
-  const auto end = static_cast<std::size_t>(--last->count);
-  for (auto lanes :
-       {&CapsuleChunk::x, &CapsuleChunk::y, &CapsuleChunk::z, &CapsuleChunk::axis_x,
-        &CapsuleChunk::axis_y, &CapsuleChunk::axis_z, &CapsuleChunk::half, &CapsuleChunk::radius}) {
-    (held->*lanes)[lane] = (last->*lanes)[end];
-  }
-  held->body[lane] = last->body[end];
+  move_lane(*last, static_cast<std::size_t>(--last->count), *held, lane);
   if (last->count > 0 || before == nullptr) return;
   last->next = level.free;
   level.free = before->next;
   before->next = -1;
+}
+
+void ReferenceGrid::remove(std::int32_t body) {
+  const Place& place = places_[static_cast<std::size_t>(body)];
+  Level& level = levels_[static_cast<std::size_t>(place.level)];
+  for (std::int32_t k = 0; k < place.pieces; ++k) {
+    remove_piece(level, body, grid_cells_[static_cast<std::size_t>(place.first + k)]);
+  }
 }
 
 }  // namespace packstone::event_driven

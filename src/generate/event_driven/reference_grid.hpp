@@ -30,6 +30,7 @@ struct alignas(32) CapsuleChunk {
   float x[kLanes], y[kLanes], z[kLanes], axis_x[kLanes], axis_y[kLanes], axis_z[kLanes],
       half[kLanes], radius[kLanes];
   std::int32_t body[kLanes];
+  std::int16_t wrap[kLanes][3];  ///< Periods from where it is kept to where it belongs.
   std::int32_t count = 0;
   std::int32_t next = -1;
 };
@@ -43,7 +44,9 @@ struct SeenCapsule {
 using CapsuleHits = unsigned (*)(const CapsuleChunk&, const SeenCapsule&);
 
 /// Capsules about bodies, found by place, image by image. A level of its own for every doubling of
-/// the reach, so that bodies of very unequal sizes cost no more than equal ones.
+/// the reach, so that bodies of very unequal sizes cost no more than equal ones. Long capsules are
+/// cut into pieces about as long as a grid cell, and those that are asked about walk along
+/// themselves: needles meet few, though their bounding balls meet nearly all.
 ///
 /// Capsules are kept as floats; a query never misses one that it should find and may find one that
 /// stays away by up to 2^-18 of the longest edge.
@@ -54,37 +57,50 @@ class ReferenceGrid {
 
   explicit ReferenceGrid(const Cell& cell);
 
-  /// Empties the grid and lays it out for bodies of these reaches.
-  void reset(const std::vector<double>& reaches);
+  /// Empties the grid and lays it out for bodies of these sizes, wherever they are.
+  void reset(const std::vector<Capsule>& capsules);
 
-  /// Centers lie inside the cell along periodic axes, anywhere along walled ones. The reach may be
-  /// larger than at reset().
+  /// Centers lie inside the cell along periodic axes, anywhere along walled ones. The capsule may
+  /// be larger than at reset().
   void insert(std::int32_t body, const Capsule& capsule);
   void remove(std::int32_t body);
 
-  /// Calls visit(body, image) for every capsule of which an image meets this one.
+  /// Calls visit(body, image) once for every capsule of which an image meets this one.
   template <class Visit>
-  void query(const Capsule& capsule, Visit&& visit) const {
+  void query(const Capsule& capsule, Visit&& visit) {
+    found_.clear();
     for (const Level& level : levels_) {
-      if (level.bodies > 0) query_level(level, capsule, visit);
+      if (level.pieces > 0) query_level(level, capsule, visit);
     }
   }
 
  private:
   struct Level {
     std::array<int, 3> dims{1, 1, 1};
-    double largest = 0.0;  // Reach [L].
-    std::int32_t bodies = 0;
+    double piece = 0.0;    // Pieces are at least that long [L].
+    double largest = 0.0;  // Reach of pieces [L].
+    bool cut = false;      // Is any body in more pieces than one?
+    std::int64_t pieces = 0;
     std::vector<CapsuleChunk> chunks;  // Those of the grid cells, then what they overflow into.
     std::int32_t free = -1;            // Chain of overflow chunks not in use.
   };
+  // Where a body is kept: which level, and which of grid_cells_.
   struct Place {
     std::int32_t level = -1;
-    std::int32_t cell = 0;
+    std::int32_t pieces = 1;
+    std::int64_t first = 0;
   };
   // Grid cells along one axis, not wrapped.
   struct Range {
     int first, last;
+  };
+  // From the center of a capsule along its axis [L].
+  struct Stretch {
+    double first, last;
+  };
+  struct Seen {
+    std::int32_t body;
+    Image image;
   };
 
   static int floor_div(int a, int n) { return a >= 0 ? a / n : -((n - 1 - a) / n); }
@@ -107,13 +123,31 @@ class ReferenceGrid {
     return k == 0 || k == level.dims[axis] - 1;
   }
 
+  // What of a stretch is within `far` of the grid cells number k along an axis.
+  [[nodiscard]] Stretch beside(const Level& level, std::size_t axis, int k, double far,
+                               const Capsule& capsule, const Stretch& stretch) const {
+    const double along = capsule.axis[axis];
+    if (along == 0.0 || has_outside(level, axis, k)) return stretch;
+    const double edge = cell_.size[axis] / level.dims[axis];
+    const double low = (k * edge - far - capsule.center[axis]) / along;
+    const double high = ((k + 1) * edge + far - capsule.center[axis]) / along;
+    return {std::max(stretch.first, std::min(low, high)),
+            std::min(stretch.last, std::max(low, high))};
+  }
+
+  // The grid cells along an axis that come within `far` of a stretch.
+  [[nodiscard]] Range range_of(const Level& level, std::size_t axis, double far,
+                               const Capsule& capsule, const Stretch& stretch) const {
+    if (axis >= static_cast<std::size_t>(cell_.dimension)) return {0, 0};
+    const double one = stretch.first * capsule.axis[axis],
+                 other = stretch.last * capsule.axis[axis];
+    const double center = capsule.center[axis];
+    return range(level, axis, center + std::min(one, other) - far,
+                 center + std::max(one, other) + far);
+  }
+
   template <class Visit>
-  void query_level(const Level& level, const Capsule& capsule, Visit& visit) const {
-    const double reach = capsule.reach() + level.largest + slack_;
-    std::array<Range, 3> ranges{};
-    for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
-      ranges[a] = range(level, a, capsule.center[a] - reach, capsule.center[a] + reach);
-    }
+  void query_level(const Level& level, const Capsule& capsule, Visit& visit) {
     const auto as_float = [](double x) { return static_cast<float>(x); };
     SeenCapsule seen{0,
                      0,
@@ -124,9 +158,10 @@ class ReferenceGrid {
                      as_float(capsule.half),
                      as_float(capsule.radius + slack_)};
     const auto& [nx, ny, nz] = level.dims;
-    // Edges of a grid cell, and how far from the segment its middle can be.
     const Vec3 edge{cell_.size.x / nx, cell_.size.y / ny, cell_.size.z / nz};
-    const double far = capsule.radius + level.largest + slack_ + 0.5 * norm(edge);
+    // How far from the segment a grid cell can be, and its middle.
+    const double far = capsule.radius + level.largest + slack_;
+    const double far_middle = far + 0.5 * norm(edge);
     const auto out_of_reach = [&](int x, int y, int z) {
       if (has_outside(level, 0, x) || has_outside(level, 1, y) || has_outside(level, 2, z)) {
         return false;
@@ -135,16 +170,22 @@ class ReferenceGrid {
                    (z + 0.5) * edge.z - capsule.center.z};
       const double along = dot(p, capsule.axis);
       const double nearest = std::clamp(along, -capsule.half, capsule.half);
-      return norm_sq(p) - nearest * (2.0 * along - nearest) > far * far;
+      return norm_sq(p) - nearest * (2.0 * along - nearest) > far_middle * far_middle;
     };
-    for (int kz = ranges[2].first; kz <= ranges[2].last; ++kz) {
+    const Stretch whole{-capsule.half, capsule.half};
+    const Range layers = range_of(level, 2, far, capsule, whole);
+    for (int kz = layers.first; kz <= layers.last; ++kz) {
+      const Stretch in_layer = beside(level, 2, kz, far, capsule, whole);
       const int mz = floor_div(kz, nz);
       seen.z = as_float(capsule.center.z - mz * cell_.size.z);
-      for (int ky = ranges[1].first; ky <= ranges[1].last; ++ky) {
+      const Range rows = range_of(level, 1, far, capsule, in_layer);
+      for (int ky = rows.first; ky <= rows.last; ++ky) {
+        const Stretch in_row = beside(level, 1, ky, far, capsule, in_layer);
         const int my = floor_div(ky, ny);
         seen.y = as_float(capsule.center.y - my * cell_.size.y);
         const int row = ((kz - mz * nz) * ny + (ky - my * ny)) * nx;
-        for (int kx = ranges[0].first; kx <= ranges[0].last; ++kx) {
+        const Range cells = range_of(level, 0, far, capsule, in_row);
+        for (int kx = cells.first; kx <= cells.last; ++kx) {
           if (out_of_reach(kx, ky, kz)) continue;
           const int mx = floor_div(kx, nx);
           seen.x = as_float(capsule.center.x - mx * cell_.size.x);
@@ -157,18 +198,27 @@ class ReferenceGrid {
 
   template <class Visit>
   void visit_chain(const Level& level, std::size_t head, const SeenCapsule& seen,
-                   const Image& image, Visit& visit) const {
+                   const Image& cell_image, Visit& visit) {
     for (const CapsuleChunk* chunk = &level.chunks[head]; chunk->count > 0;
          chunk = &level.chunks[static_cast<std::size_t>(chunk->next)]) {
       for (unsigned hits = hits_(*chunk, seen); hits != 0; hits &= hits - 1) {
-        visit(chunk->body[static_cast<std::size_t>(__builtin_ctz(hits))], image);
+        const auto lane = static_cast<std::size_t>(__builtin_ctz(hits));
+        const std::int32_t body = chunk->body[lane];
+        const auto& wrap = chunk->wrap[lane];
+        const Image image{cell_image[0] - wrap[0], cell_image[1] - wrap[1],
+                          cell_image[2] - wrap[2]};
+        if (!level.cut || is_new(body, image)) visit(body, image);
       }
       if (chunk->next < 0) return;
     }
   }
 
-  void shape(Level& level, std::int64_t bodies, double reach) const;
+  bool is_new(std::int32_t body, const Image& image);
+  void shape(Level& level, const std::vector<Capsule>& capsules);
   [[nodiscard]] std::int32_t level_of(double reach) const;
+  void insert_piece(Level& level, std::int32_t body, Capsule piece, std::int32_t& grid_cell);
+  static CapsuleChunk& chunk_with_room(Level& level, std::int32_t grid_cell);
+  static void remove_piece(Level& level, std::int32_t body, std::int32_t grid_cell);
 
   Cell cell_;
   std::array<double, 3> per_size_{};
@@ -176,6 +226,9 @@ class ReferenceGrid {
   double smallest_ = 1.0;  // Reach that level 0 begins with.
   std::vector<Level> levels_;
   std::vector<Place> places_;
+  std::vector<std::int32_t> grid_cells_;  // Of every piece.
+  std::vector<Seen> found_;               // By the query that is going on, among those cut.
+  std::vector<std::uint32_t> first_;      // In found_, of every body that is there.
   CapsuleHits hits_;
 };
 

@@ -51,12 +51,12 @@ class Placement {
         grid_(cell_) {
     // Rounding of the capsules in the grid, and the gap that counts as contact.
     margin_ = 1e-9 * std::max({cell_.size.x, cell_.size.y, cell_.size.z});
-    std::vector<double> reaches;
+    std::vector<Capsule> capsules;
     for (std::int32_t i = 0; i < bodies_.count(); ++i) {
       standing_.set(i, 0.0, margin_);
-      reaches.push_back(standing_.reach(i));
+      capsules.push_back(standing_.capsule(i));
     }
-    grid_.reset(reaches);
+    grid_.reset(capsules);
   }
 
   // Whether all have found one.

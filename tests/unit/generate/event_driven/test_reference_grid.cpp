@@ -50,12 +50,8 @@ Capsule random_capsule(const Kind& kind, RandomStream& random) {
 class Filled {
  public:
   explicit Filled(const Kind& kind) : kind_(kind), random_(7, StreamId::test), grid_(kind.cell) {
-    std::vector<double> reaches;
-    for (int k = 0; k < kind.count; ++k) {
-      capsules_.push_back(random_capsule(kind, random_));
-      reaches.push_back(capsules_.back().reach());
-    }
-    grid_.reset(reaches);
+    for (int k = 0; k < kind.count; ++k) capsules_.push_back(random_capsule(kind, random_));
+    grid_.reset(capsules_);
     for (std::int32_t i = 0; i < kind.count; ++i) grid_.insert(i, capsules_[at(i)]);
     inside_.assign(capsules_.size(), true);
   }
@@ -76,14 +72,14 @@ class Filled {
     }
   }
 
-  [[nodiscard]] Found query(const Capsule& c) const {
+  [[nodiscard]] Found query(const Capsule& c) {
     Found found;
     grid_.query(c, [&](std::int32_t i, const Image& image) { ++found[{i, image}]; });
     return found;
   }
 
   // Checks a query against all images of all capsules; returns how many met.
-  int check(const Capsule& asked) const {
+  int check(const Capsule& asked) {
     const Found found = query(asked);
     for (const auto& [which, times] : found) REQUIRE(times == 1);
     int met = 0;
@@ -149,10 +145,14 @@ const Kind kKinds[] = {
     {"equal balls", {}, 200, 0.08, 0.08, 1.0},
     {"balls of sizes 1 to 1000", {}, 400, 3e-4, 0.3, 1.0},
     {"rods", {3, {1, 0.7, 1.4}, {true, true, true}}, 150, 0.1, 0.3, 0.05},
+    {"needles", {}, 1500, 0.2, 0.3, 0.02},
+    {"needles and balls", {}, 400, 0.02, 0.4, 0.02},
     {"needles longer than the cell", {}, 12, 0.8, 1.4, 0.01},
     {"parallel needles", {}, 60, 0.4, 0.6, 0.01, true},
     {"a few", {}, 3, 0.2, 0.4, 0.3},
     {"between walls", {3, {1, 2, 1}, {true, false, false}}, 150, 0.05, 0.3, 0.1},
+    {"needles between walls", {3, {1, 2, 1}, {true, false, false}}, 600, 0.2, 0.3, 0.02},
+    {"needles in the plane", cell_2d(1.0, 0.6), 400, 0.1, 0.2, 0.02},
     {"in the plane", cell_2d(1.0, 0.6), 150, 0.01, 0.2, 0.1},
     {"in the plane between walls", cell_2d(1.0, 0.6, false, true), 150, 0.01, 0.2, 0.1},
     {"a flat cell", {3, {4, 4, 0.1}, {true, true, true}}, 100, 0.05, 0.3, 0.1},
@@ -183,8 +183,8 @@ TEST_CASE("the grid finds those of one crowded place, and none when it is empty"
   const Cell cell{};
   ReferenceGrid grid(cell);
   constexpr std::int32_t kCrowd = 100;
-  grid.reset(std::vector<double>(kCrowd, 0.01));
   const Capsule spot{{0.5, 0.5, 0.5}, {0, 0, 1}, 0.0, 0.01};
+  grid.reset(std::vector<Capsule>(kCrowd, spot));
   const auto found = [&] {
     std::set<std::int32_t> bodies;
     grid.query(spot, [&](std::int32_t i, const Image&) { bodies.insert(i); });
@@ -204,9 +204,11 @@ TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
   ReferenceGrid grid(cell);
   const double last = std::nextafter(1.0, 0.0);
   const std::vector<Vec3> places{{0, 0, 0}, {last, 0, 0}, {0, last, 0.5}, {last, last, last}};
-  grid.reset({0.05, 0.05, 0.05, 0.05});
+  std::vector<Capsule> capsules;
+  for (const Vec3& place : places) capsules.push_back({place, {0, 0, 1}, 0.0, 0.05});
+  grid.reset(capsules);
   for (std::size_t k = 0; k < places.size(); ++k) {
-    grid.insert(static_cast<std::int32_t>(k), {places[k], {0, 0, 1}, 0.0, 0.05});
+    grid.insert(static_cast<std::int32_t>(k), capsules[k]);
   }
   std::set<std::pair<std::int32_t, Image>> found;
   grid.query({{last, 0, 0}, {0, 0, 1}, 0.0, 0.01}, [&](std::int32_t i, const Image& image) {
