@@ -7,8 +7,9 @@
 //   bench_event_driven rates [seeds]                 collisions per second without growth
 //   bench_event_driven densest [seconds] [case]      as dense as a processor time allows
 //   bench_event_driven physics [realizations]        pressure, energy, orientations (figure 6)
+//   bench_event_driven alignment [realizations]      orientations as drawn, grown, at equilibrium
 //   bench_event_driven reference [seeds] [limit_s]   beside the published method
-//   bench_event_driven                               a short round of all but densest
+//   bench_event_driven                               a short round of most
 //
 // Times are processor times of one thread, of the packing alone; every packing is then checked by
 // check_packing(). "aim" is what this code is meant to do on a machine of 2020. Lines that begin
@@ -61,6 +62,8 @@ int main(int argc, char** argv) {
                              static_cast<std::uint64_t>(count(4, 1)));
   } else if (mode == "physics") {
     all_passed = run_physics(count(2, 10));
+  } else if (mode == "alignment") {
+    all_passed = run_alignment(count(2, 100));
   } else if (mode == "reference") {
     all_passed = run_reference(count(2, 4), number(3, 60.0));
   } else {

@@ -71,6 +71,7 @@ bool run_scaling(std::int64_t largest);
 bool run_rates(int seeds);
 bool run_densest(double seconds, const std::string& only, std::uint64_t seed);
 bool run_physics(int realizations);
+bool run_alignment(int realizations);
 bool run_reference(int seeds, double limit_s);
 
 }  // namespace packstone::benchmarks

@@ -99,6 +99,42 @@ bool print_order(double aspect, double fraction, int count, int realizations) {
   return of.reached == realizations;
 }
 
+// rho of one order in three states: axes as they are drawn, bodies as they are grown, and after 30
+// collisions per body at those sizes.
+bool print_alignment(double aspect, double fraction, int count, int realizations) {
+  std::vector<double> drawn, grown, still;
+  std::uint64_t hash = 0;
+  int passed = 0;
+  const auto rho_of = [](const Packing& packing) {
+    return orientation_order(orientation_tensor(symmetry_axes(packing, 0)), 3).rho;
+  };
+  for (int k = 1; k <= realizations; ++k) {
+    EventDrivenOptions options{.seed = static_cast<std::uint64_t>(k)};
+    const auto scene = scenes::alike("prolate", count, fraction, aspect, aspect);
+    const auto bodies = scenes::ellipsoids(scene, options.seed);
+    std::vector<Vec3> axes;
+    for (const OrderedBody& ordered : bodies) axes.push_back(*symmetry_axis(ordered.body));
+    drawn.push_back(orientation_order(orientation_tensor(axes), 3).rho);
+    const Growth growth = grow({}, bodies, options);
+    grown.push_back(rho_of(growth.result.packing));
+    options.goal = EventDrivenGoal::equilibrium;
+    options.collisions_per_body = 30.0;
+    const Packing after = event_driven_continue(growth.result.state, options).packing;
+    still.push_back(rho_of(after));
+    hash ^= scenes::state_hash(after);
+    passed += growth.passed && check_packing(after).passed() ? 1 : 0;
+  }
+  fmt::print("alignment {:4.0f} {:5.2f} {:4} {:8.4f}", aspect, fraction, count,
+             random_order(count, 3).rho.mean);
+  for (const auto& values : {drawn, grown, still}) {
+    const Mean mean = mean_of(values);
+    fmt::print(" {:8.4f} {:7.4f}", mean.value, mean.half_width);
+  }
+  fmt::print(" {:>8} {:016x}\n", fmt::format("{}/{}", passed, realizations), hash);
+  std::fflush(stdout);
+  return passed == realizations;
+}
+
 }  // namespace
 
 bool run_rates(int seeds) {
@@ -141,6 +177,18 @@ bool run_physics(int realizations) {
     for (const int count : {10, 25, 50, 100, 200, 500}) {
       all_passed = print_order(aspect, fraction, count, realizations) && all_passed;
     }
+  }
+  return all_passed;
+}
+
+bool run_alignment(int realizations) {
+  fmt::print("# {} realizations: R_1, V_f, N, rho of random axes; then means and halves of 95 % ",
+             realizations);
+  fmt::print("intervals: as drawn, as grown, at equilibrium; passed, hash\n");
+  bool all_passed = true;
+  const double kinds[][2] = {{2, 0.3}, {10, 0.1}};
+  for (const auto& [aspect, fraction] : kinds) {
+    all_passed = print_alignment(aspect, fraction, 500, realizations) && all_passed;
   }
   return all_passed;
 }

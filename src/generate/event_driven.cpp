@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generate/event_driven/engine.hpp"
+#include "generate/event_driven/growth_schedule.hpp"
 #include "generate/event_driven/run_state.hpp"
 #include "generate/event_driven/spatial_order.hpp"
 #include "generate/event_driven/starting_points.hpp"
@@ -25,16 +26,6 @@ namespace {
 namespace edmd = event_driven;
 using edmd::Bodies;
 using edmd::Progressed;
-
-// Collisions per body in a block of events: neither are clocks set alike too often, nor does the
-// gas heat up much.
-constexpr double kBlockCollisions = 30.0;
-constexpr double kLeastBlockCollisions = 200.0;
-// As long as the pressure, which decides on the growth rate, is not known; and while it changes
-// fast.
-constexpr double kFirstBlockCollisions = 1.0;
-constexpr double kThinBlockCollisions = 6.0;
-constexpr double kThin = 12.0;  // Reduced pressure.
 
 void refuse(const char* field, double value, const char* allowed) {
   throw InvalidArgument(
@@ -111,6 +102,7 @@ class Run {
         count_(static_cast<double>(start.packing.inclusions.size())),
         full_(fraction(start.packing)),
         radius_(mean_radius(start.packing)),
+        schedule_(options, full_, dimension_),
         last_checkpoint_(RunContext::Clock::now()) {
     result_.state = std::move(start);
     at_ = edmd::read_numbers(result_.state);
@@ -131,48 +123,21 @@ class Run {
   [[nodiscard]] bool has_target() const { return options_.goal != EventDrivenGoal::densest; }
   [[nodiscard]] double fraction_at(double size) const { return full_ * std::pow(size, dimension_); }
 
-  // Up to this size factor the gas is dilute: hardly any bodies meet, and they may grow faster.
-  [[nodiscard]] double dilute_until() const {
-    constexpr double kDilute = 0.1, kPart = 1.0 / 3.0;
-    return std::pow(std::min(kPart, kDilute / full_), 1.0 / dimension_);
-  }
-  // In a thin gas bodies may grow faster than where they crowd: there is room to get out of the
-  // way.
-  [[nodiscard]] bool is_thin() const { return at_.pressure > 0.0 && at_.pressure < kThin; }
-  // Bodies that have become that crowded find no other places any more: what is left is to close
-  // the gaps, half of all the collisions there are at a constant rate.
-  [[nodiscard]] bool is_frozen() const {
-    constexpr double kFrozen = 300.0;
-    return options_.goal == EventDrivenGoal::densest && at_.pressure > kFrozen;
-  }
-  [[nodiscard]] double growth_rate_now() const {
-    constexpr double kFrozenFaster = 10.0;
-    constexpr double kFastest = 1.0;
-    const double fastest = std::max(kFastest, at_.growth_rate);
-    if (result_.state.size_factor < dilute_until()) return fastest;
-    if (is_frozen()) return std::min(options_.growth_rate, kFrozenFaster * at_.growth_rate);
-    if (!is_thin()) return at_.growth_rate;
-    const double part = kThin / at_.pressure;
-    return std::min(fastest, at_.growth_rate * part * part);
-  }
-
   edmd::BlockEnd block_end(const Bodies& bodies) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     constexpr std::int64_t kEventsPerCollision = 1000;
+    constexpr double kLeastCollisions = 200.0;
     edmd::BlockEnd end;
-    const double each = !(at_.pressure > 0.0) ? kFirstBlockCollisions
-                        : is_thin()           ? kThinBlockCollisions
-                                              : kBlockCollisions;
-    end.collisions = static_cast<std::int64_t>(std::max(each * count_, kLeastBlockCollisions));
+    const double usual = schedule_.block_collisions(at_) * count_;
+    end.collisions = static_cast<std::int64_t>(std::max(usual, kLeastCollisions));
     end.time = kInfinity;
     if (options_.published_stagnation) end.collisions = 50;
     if (!grows()) {
       const double left = options_.collisions_per_body * count_ - at_.still_collisions;
       end.collisions = std::min(end.collisions, static_cast<std::int64_t>(std::ceil(left)));
     } else {
-      const double until = bodies.size < dilute_until() ? dilute_until()
-                           : has_target()               ? 1.0
-                                                        : kInfinity;
+      const double dilute = schedule_.dilute_until();
+      const double until = bodies.size < dilute ? dilute : has_target() ? 1.0 : kInfinity;
       end.time = (until - bodies.size) / bodies.growth;
     }
     end.events = kEventsPerCollision * end.collisions;
@@ -198,7 +163,7 @@ class Run {
     double heat = 1.0;
     if (grows()) {
       heat = edmd::rescale_velocities(bodies, dimension_);
-      bodies.growth = growth_rate_now() / radius_;
+      bodies.growth = schedule_.rate(at_, bodies.size) / radius_;
     } else if (at_.energy == 0.0) {
       edmd::rescale_velocities(bodies, dimension_);
       at_.energy = edmd::total_energy(bodies);
@@ -207,9 +172,9 @@ class Run {
     const edmd::BlockEnd end = block_end(bodies);
     const edmd::BlockCount block = run_engine(bodies, end);
     const bool at_end = grows() && block.time >= end.time;
-    const bool reached = at_end && has_target() && size_before >= dilute_until();
+    const bool reached = at_end && has_target() && size_before >= schedule_.dilute_until();
     if (reached) bodies.size = 1.0;
-    if (at_end && !reached) bodies.size = dilute_until();
+    if (at_end && !reached) bodies.size = schedule_.dilute_until();
     if (block.stop != StopRequest::none) return interrupt(bodies, block.stop);
     edmd::store(bodies, state);
     count(block);
@@ -299,38 +264,10 @@ class Run {
     if (options_.published_stagnation && gain < kPublishedGain) {
       return stop(EventDrivenStop::stagnated);
     }
-    const double each = static_cast<double>(block.collisions) / count_;
-    at_.since_slower += each;
-    return slow_down(crowding(gain, each));
-  }
-
-  // The reduced pressure, or what collisions of the bodies with walls and own images, which it does
-  // not count, make of the growth: a collision per body raises the logarithm of the fraction by
-  // about the growth rate over the reduced pressure.
-  [[nodiscard]] double crowding(double gain, double collisions_each) const {
-    const double pressure = result_.history.back().reduced_pressure;
-    if (!(gain > 0.0)) return std::numeric_limits<double>::infinity();
-    return std::max(pressure, result_.history.back().growth_rate * collisions_each / gain);
-  }
-
-  // Near jamming, at a fraction phi_J, the reduced pressure is about dimension / (1 - phi / phi_J)
-  // (Z. W. Salsburg, W. W. Wood, J. Chem. Phys. 37 (1962) 798): it tells what is left to grow.
-  // While it is high the growth rate is halved, time after time, so that the bodies can rearrange.
-  bool slow_down(double pressure) {
-    constexpr double kJammed = 1e5;
-    if (pressure > kJammed) return stop(EventDrivenStop::jammed);
-    if (options_.goal == EventDrivenGoal::densest) {
-      // What becomes of a dense fluid depends on how slowly it is compressed.
-      constexpr double kDenseFluid = 12.0;
-      if (pressure > kDenseFluid) at_.growth_rate = options_.slowest_growth;
-      return false;
-    }
-    constexpr double kCrowded = 400.0, kRearranging = 50.0;
-    if (pressure < kCrowded || at_.since_slower < kRearranging) return false;
-    if (at_.growth_rate <= options_.slowest_growth) return stop(EventDrivenStop::jammed);
-    at_.growth_rate = std::max(0.5 * at_.growth_rate, options_.slowest_growth);
-    at_.since_slower = 0.0;
-    return false;
+    const edmd::BlockGain gained{gain, static_cast<double>(block.collisions) / count_,
+                                 result_.history.back().growth_rate,
+                                 result_.history.back().reduced_pressure};
+    return schedule_.slow_down(at_, gained) && stop(EventDrivenStop::jammed);
   }
 
   void checkpoint() {
@@ -373,6 +310,7 @@ class Run {
   double count_;
   double full_;    // Fraction at size factor 1.
   double radius_;  // Mean radius at size factor 1 [L].
+  edmd::GrowthSchedule schedule_;
   Progressed at_;
   RunContext::Clock::time_point last_checkpoint_;
   EventDrivenResult result_;
