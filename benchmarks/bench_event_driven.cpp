@@ -9,7 +9,8 @@
 //   bench_event_driven physics [realizations]        pressure, energy, orientations (figure 6)
 //   bench_event_driven alignment [realizations]      orientations as drawn, grown, at equilibrium
 //   bench_event_driven reference [seeds] [limit_s]   beside the published method
-//   bench_event_driven                               a short round of most
+//   bench_event_driven                               a short round of all but densest
+//                                                    and alignment
 //
 // Times are processor times of one thread, of the packing alone; every packing is then checked by
 // check_packing(). "aim" is what this code is meant to do on a machine of 2020. Lines that begin

@@ -79,6 +79,18 @@ Mean mean_of(const std::vector<double>& values) {
   return {sum / n, t * std::sqrt(squares / (n - 1.0) / n)};
 }
 
+// What the paper measures the order of.
+struct OrderCase {
+  double aspect;
+  double fraction;
+};
+constexpr OrderCase kOrderCases[] = {{2, 0.3}, {10, 0.1}};
+
+double rho_of(const std::vector<Vec3>& axes) {
+  return orientation_order(orientation_tensor(axes), 3).rho;
+}
+double rho_of(const Packing& packing) { return rho_of(symmetry_axes(packing, 0)); }
+
 bool print_order(double aspect, double fraction, int count, int realizations) {
   std::vector<double> rho;
   GrowthStatistics of;
@@ -86,8 +98,7 @@ bool print_order(double aspect, double fraction, int count, int realizations) {
     const auto seed = static_cast<std::uint64_t>(k);
     const auto scene = scenes::alike("prolate", count, fraction, aspect, aspect);
     const Growth growth = grow({}, scenes::ellipsoids(scene, seed), {.seed = seed});
-    const auto axes = symmetry_axes(growth.result.packing, 0);
-    rho.push_back(orientation_order(orientation_tensor(axes), 3).rho);
+    rho.push_back(rho_of(growth.result.packing));
     of.add(growth);
   }
   const Mean mean = mean_of(rho);
@@ -105,16 +116,13 @@ bool print_alignment(double aspect, double fraction, int count, int realizations
   std::vector<double> drawn, grown, still;
   std::uint64_t hash = 0;
   int passed = 0;
-  const auto rho_of = [](const Packing& packing) {
-    return orientation_order(orientation_tensor(symmetry_axes(packing, 0)), 3).rho;
-  };
   for (int k = 1; k <= realizations; ++k) {
     EventDrivenOptions options{.seed = static_cast<std::uint64_t>(k)};
     const auto scene = scenes::alike("prolate", count, fraction, aspect, aspect);
     const auto bodies = scenes::ellipsoids(scene, options.seed);
     std::vector<Vec3> axes;
     for (const OrderedBody& ordered : bodies) axes.push_back(*symmetry_axis(ordered.body));
-    drawn.push_back(orientation_order(orientation_tensor(axes), 3).rho);
+    drawn.push_back(rho_of(axes));
     const Growth growth = grow({}, bodies, options);
     grown.push_back(rho_of(growth.result.packing));
     options.goal = EventDrivenGoal::equilibrium;
@@ -172,8 +180,7 @@ bool run_physics(int realizations) {
              realizations);
   fmt::print("standard deviation; passed, hash\n");
   bool all_passed = true;
-  const double kinds[][2] = {{2, 0.3}, {10, 0.1}};
-  for (const auto& [aspect, fraction] : kinds) {
+  for (const auto& [aspect, fraction] : kOrderCases) {
     for (const int count : {10, 25, 50, 100, 200, 500}) {
       all_passed = print_order(aspect, fraction, count, realizations) && all_passed;
     }
@@ -186,8 +193,7 @@ bool run_alignment(int realizations) {
              realizations);
   fmt::print("intervals: as drawn, as grown, at equilibrium; passed, hash\n");
   bool all_passed = true;
-  const double kinds[][2] = {{2, 0.3}, {10, 0.1}};
-  for (const auto& [aspect, fraction] : kinds) {
+  for (const auto& [aspect, fraction] : kOrderCases) {
     all_passed = print_alignment(aspect, fraction, 500, realizations) && all_passed;
   }
   return all_passed;

@@ -39,7 +39,7 @@ double edge_for(const Cell& cell, const std::vector<Capsule>& capsules, double p
     for (const Capsule& c : capsules) pieces += std::max(1.0, 2.0 * c.half / edge);
     edge = std::max(least, edge_of(pieces));
   }
-  return std::max(least, edge);
+  return edge;
 }
 
 void move_lane(const CapsuleChunk& from, std::size_t lane, CapsuleChunk& to, std::size_t there) {
