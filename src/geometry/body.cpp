@@ -1,9 +1,12 @@
 #include "packstone/geometry/body.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/mat.hpp"
 #include "packstone/core/number_text.hpp"
 #include "packstone/core/overloaded.hpp"
 #include "packstone/core/tolerances.hpp"
@@ -55,6 +58,33 @@ void check_body(const Body& body) {
                           check_finite("angle", b.angle);
                         }},
              body);
+}
+
+int symmetry_axis(const Vec3& s) noexcept {
+  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(a, b); };
+  if (equal(s.x, s.y)) return 2;
+  if (equal(s.x, s.z)) return 1;
+  if (equal(s.y, s.z)) return 0;
+  return s.x > s.y && s.x > s.z ? 0 : s.y > s.z ? 1 : 2;
+}
+
+std::optional<Vec3> symmetry_axis(const Body& body) noexcept {
+  using Axis = std::optional<Vec3>;
+  return std::visit(
+      Overloaded{[](const Ellipsoid& b) -> Axis {
+                   const Mat3 turn = to_matrix(b.orientation);
+                   const int axis = symmetry_axis(b.semi_axes);
+                   return axis == 0 ? turn.col_x : axis == 1 ? turn.col_y : turn.col_z;
+                 },
+                 [](const Ellipse& b) -> Axis {
+                   const bool x_is_major = b.semi_axes.x >= b.semi_axes.y;
+                   const double angle = b.angle + (x_is_major ? 0.0 : std::numbers::pi / 2);
+                   return Vec3{std::cos(angle), std::sin(angle), 0.0};
+                 },
+                 [](const Cylinder& b) -> Axis { return b.axis; },
+                 [](const Spherocylinder& b) -> Axis { return b.axis; },
+                 [](const auto&) -> Axis { return std::nullopt; }},
+      body);
 }
 
 }  // namespace packstone

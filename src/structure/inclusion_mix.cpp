@@ -276,33 +276,6 @@ std::string InclusionLimit::why_not(double count) const {
          gigabytes(static_cast<double>(most)) + "; " + allowed;
 }
 
-int symmetry_axis(const Vec3& s) noexcept {
-  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(a, b); };
-  if (equal(s.x, s.y)) return 2;
-  if (equal(s.x, s.z)) return 1;
-  if (equal(s.y, s.z)) return 0;
-  return s.x > s.y && s.x > s.z ? 0 : s.y > s.z ? 1 : 2;
-}
-
-std::optional<Vec3> symmetry_axis(const Body& body) noexcept {
-  using Axis = std::optional<Vec3>;
-  return std::visit(
-      Overloaded{[](const Ellipsoid& b) -> Axis {
-                   const Mat3 turn = to_matrix(b.orientation);
-                   const int axis = symmetry_axis(b.semi_axes);
-                   return axis == 0 ? turn.col_x : axis == 1 ? turn.col_y : turn.col_z;
-                 },
-                 [](const Ellipse& b) -> Axis {
-                   const bool x_is_major = b.semi_axes.x >= b.semi_axes.y;
-                   const double angle = b.angle + (x_is_major ? 0.0 : std::numbers::pi / 2);
-                   return Vec3{std::cos(angle), std::sin(angle), 0.0};
-                 },
-                 [](const Cylinder& b) -> Axis { return b.axis; },
-                 [](const Spherocylinder& b) -> Axis { return b.axis; },
-                 [](const auto&) -> Axis { return std::nullopt; }},
-      body);
-}
-
 InclusionMix draw_inclusions(const Cell& cell, const std::vector<InclusionGroup>& groups,
                              std::uint64_t seed, const InclusionLimit& limit) {
   check_cell(cell);

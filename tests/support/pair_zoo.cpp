@@ -188,4 +188,10 @@ std::vector<std::pair<ShapeKind, ShapeKind>> kinds_of_pairs() {
 
 double size_of(const Pair& pair) { return circum_radius(pair.a) + circum_radius(pair.b); }
 
+Pair moved_apart(Pair pair, double gap_wanted) {
+  const Gap g = gap(pair.a, pair.b, pair.r);
+  if (g.value < gap_wanted) pair.r += (gap_wanted - g.value) * g.normal;
+  return pair;
+}
+
 }  // namespace packstone::zoo

@@ -65,4 +65,7 @@ std::vector<std::pair<ShapeKind, ShapeKind>> kinds_of_pairs();
 /// Sum of the circumscribed radii [L].
 double size_of(const Pair& pair);
 
+/// The pair moved apart until `gap_wanted` lies between the surfaces, at the least.
+[[nodiscard]] Pair moved_apart(Pair pair, double gap_wanted);
+
 }  // namespace packstone::zoo

@@ -6,6 +6,7 @@
 /// A body is a shape and its orientation. Where it stands is said separately, because pair kernels
 /// take the separation r_ab of two bodies and know nothing of cells and images.
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -97,5 +98,13 @@ enum class ShapeKind { sphere, ellipsoid, cylinder, spherocylinder, disk, ellips
 /// Throws InvalidArgument when a size is not a finite number > 0, or a direction or quaternion is
 /// not of length 1 within kUnitTolerance.
 void check_body(const Body& body);
+
+/// The body axis that orientation laws turn: of an ellipsoid the axis of revolution where two
+/// semi-axes are equal within 1e-9 (for a ball z), otherwise the longest one. 0, 1 or 2.
+[[nodiscard]] int symmetry_axis(const Vec3& semi_axes) noexcept;
+
+/// That axis of the body, in the cell frame: unit, its sign without meaning. Of rods their axis, of
+/// an ellipse the longer one; nothing for spheres and disks.
+[[nodiscard]] std::optional<Vec3> symmetry_axis(const Body& body) noexcept;
 
 }  // namespace packstone

@@ -100,14 +100,6 @@ struct InclusionLimit {
   [[nodiscard]] std::string why_not(double count) const;
 };
 
-/// The body axis that orientation laws turn: of an ellipsoid the axis of revolution where two
-/// semi-axes are equal within 1e-9 (for a ball z), otherwise the longest one. 0, 1 or 2.
-[[nodiscard]] int symmetry_axis(const Vec3& semi_axes) noexcept;
-
-/// That axis of the body, in the cell frame: unit, its sign without meaning. Of rods their axis, of
-/// an ellipse the longer one; nothing for spheres and disks.
-[[nodiscard]] std::optional<Vec3> symmetry_axis(const Body& body) noexcept;
-
 /// Draws sizes, aspects and orientations once, and scales relative sizes so that count and fraction
 /// are met exactly (the last few bits of rounding apart).
 ///

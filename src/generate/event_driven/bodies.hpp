@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "generate/event_driven/rotation.hpp"
+#include "geometry/posed_body.hpp"
 #include "packstone/core/vec.hpp"
 #include "packstone/geometry/body.hpp"
 
 namespace packstone::event_driven {
-
-/// How the support function of a body is put together. In the plane a disk is a ball and an ellipse
-/// a spheroid whose axis and center stay in it: by symmetry about the plane all contacts, and the
-/// directions of all shortest gaps, are the same.
-enum class Form : std::uint8_t { ball, spheroid, scalene, cylinder, spherocylinder };
 
 /// Where a body is and how it flies, at its own clock. One cache line.
 struct alignas(64) Flight {
@@ -39,13 +35,6 @@ struct alignas(64) Spin {
 struct SecondAxis {
   Vec3 axis{1, 0, 0};
   double semi_axis = 0;  ///< [L]
-};
-
-/// A body at some instant.
-struct Pose {
-  Vec3 center;
-  Vec3 axis;
-  Vec3 second;  ///< Of scalene bodies.
 };
 
 /// All bodies. Sizes at time t are (size + growth t) times those stored.

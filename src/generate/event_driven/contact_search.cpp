@@ -10,7 +10,7 @@
 #include "generate/event_driven/plane_search.hpp"
 #include "generate/event_driven/revolution_bound.hpp"
 #include "generate/event_driven/revolution_pair.hpp"
-#include "generate/event_driven/touching_points.hpp"
+#include "geometry/touching_points.hpp"
 
 namespace packstone::event_driven {
 namespace {

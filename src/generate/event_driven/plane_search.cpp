@@ -4,22 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "generate/event_driven/gap_ascent.hpp"
 #include "geometry/axis_segments.hpp"
+#include "geometry/gap_ascent.hpp"
 #include "packstone/core/mat.hpp"
 
 namespace packstone::event_driven {
-
-Vec3 shape_times(const PosedBody& body, const Vec3& n) {
-  const double along = dot(n, body.pose.axis);
-  const Vec3 flat = n - along * body.pose.axis;
-  const double lateral_sq = body.lateral * body.lateral;
-  Vec3 image = (body.axial * body.axial * along) * body.pose.axis;
-  if (body.form != Form::scalene) return image + lateral_sq * flat;
-  const double second = dot(flat, body.pose.second);
-  image += (body.second * body.second * second) * body.pose.second;
-  return image + lateral_sq * (flat - second * body.pose.second);
-}
 
 namespace {
 
@@ -116,25 +105,6 @@ PosedBody posed(const Bodies& bodies, std::int32_t i, const Pose& pose, double f
   const Spin& spin = bodies.spin[k];
   const double second = bodies.second_semi_axis(k);
   return {bodies.form[k], pose, factor * spin.axial, factor * second, factor * spin.lateral};
-}
-
-double support(const PosedBody& body, const Vec3& n) {
-  if (body.form == Form::ball) return body.lateral * norm(n);
-  const double along = dot(n, body.pose.axis);
-  const Vec3 flat = n - along * body.pose.axis;
-  switch (body.form) {
-    case Form::ball:
-    case Form::spheroid:
-      return std::sqrt(body.axial * body.axial * along * along +
-                       body.lateral * body.lateral * norm_sq(flat));
-    case Form::scalene:
-      return std::sqrt(dot(n, shape_times(body, n)));
-    case Form::cylinder:
-      return body.axial * std::abs(along) + body.lateral * norm(flat);
-    case Form::spherocylinder:
-      break;
-  }
-  return body.axial * std::abs(along) + body.lateral * norm(n);
 }
 
 Vec3 find_plane(const PosedBody& a, const PosedBody& b, const Vec3& r, double min_gap,

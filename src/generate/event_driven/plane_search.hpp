@@ -6,29 +6,13 @@
 
 #include "generate/event_driven/bodies.hpp"
 #include "generate/event_driven/plane_bound.hpp"
+#include "geometry/posed_body.hpp"
 
 namespace packstone::event_driven {
-
-/// A body at one instant, at its size then.
-struct PosedBody {
-  Form form = Form::ball;
-  Pose pose;
-  double axial = 0.0, second = 0.0, lateral = 0.0;  ///< [L]
-};
 
 /// `factor` is the size factor.
 [[nodiscard]] PosedBody posed(const Bodies& bodies, std::int32_t i, const Pose& pose,
                               double factor);
-
-/// The support function [L |n|].
-[[nodiscard]] double support(const PosedBody& body, const Vec3& n);
-
-/// The matrix whose quadratic form is the square of the support function of an ellipsoid, times n,
-/// without the cancellation that its entries bring to flat bodies.
-[[nodiscard]] Vec3 shape_times(const PosedBody& body, const Vec3& n);
-
-/// Smooth and strictly convex, as ellipsoids are.
-[[nodiscard]] constexpr bool is_ellipsoid(Form form) { return form <= Form::scalene; }
 
 /// How well a plane is to be found.
 enum class Effort {

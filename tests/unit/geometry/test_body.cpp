@@ -1,10 +1,13 @@
 #include "packstone/geometry/body.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/mat.hpp"
+#include "packstone/core/quaternion.hpp"
 
 using namespace packstone;
 using Catch::Matchers::Contains;
@@ -40,4 +43,31 @@ TEST_CASE("names and dimensions follow the order of Body") {
   CHECK(name(kind(Body(Ellipse{}))) == "ellipse");
   CHECK(dimension(kind(Body(Cylinder{}))) == 3);
   CHECK(dimension(kind(Body(Disk{}))) == 2);
+}
+
+TEST_CASE("the symmetry axis is that of revolution, or the longest") {
+  CHECK(symmetry_axis({1, 1, 3}) == 2);
+  CHECK(symmetry_axis({1, 1, 0.2}) == 2);
+  CHECK(symmetry_axis({2, 1, 1}) == 0);
+  CHECK(symmetry_axis({0.3, 1, 1}) == 0);
+  CHECK(symmetry_axis({1, 2, 1}) == 1);
+  CHECK(symmetry_axis({1, 2, 3}) == 2);
+  CHECK(symmetry_axis({3, 2, 1}) == 0);
+  CHECK(symmetry_axis({2, 3, 1}) == 1);
+  CHECK(symmetry_axis({1, 1, 1}) == 2);
+}
+
+TEST_CASE("the axis of a body: revolution, else the longest; none of round ones") {
+  const Quaternion turn = normalized(Quaternion{0.3, -0.5, 0.1, 0.8});
+  const Mat3 frame = to_matrix(turn);
+  CHECK(symmetry_axis(Body(Ellipsoid{{1, 3, 1}, turn})) == frame.col_y);
+  CHECK(symmetry_axis(Body(Ellipsoid{{2, 2, 1}, turn})) == frame.col_z);
+  CHECK(symmetry_axis(Body(Ellipsoid{{3, 2, 1}, turn})) == frame.col_x);
+  CHECK(symmetry_axis(Body(Cylinder{1, 0.1, {0, 1, 0}})) == Vec3{0, 1, 0});
+  CHECK(symmetry_axis(Body(Spherocylinder{1, 2, {1, 0, 0}})) == Vec3{1, 0, 0});
+  CHECK(symmetry_axis(Body(Ellipse{{2, 1}, 0.3})) == Vec3{std::cos(0.3), std::sin(0.3), 0});
+  const Vec3 upright = *symmetry_axis(Body(Ellipse{{1, 2}, 0.0}));
+  CHECK(upright.y == 1.0);
+  CHECK_FALSE(symmetry_axis(Body(Sphere{})).has_value());
+  CHECK_FALSE(symmetry_axis(Body(Disk{})).has_value());
 }

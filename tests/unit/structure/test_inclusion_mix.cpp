@@ -225,18 +225,6 @@ TEST_CASE("groups come in their order and do not change one another") {
   CHECK_FALSE(twins.bodies[0].body == twins.bodies[7].body);
 }
 
-TEST_CASE("the symmetry axis is that of revolution, or the longest") {
-  CHECK(symmetry_axis({1, 1, 3}) == 2);
-  CHECK(symmetry_axis({1, 1, 0.2}) == 2);
-  CHECK(symmetry_axis({2, 1, 1}) == 0);
-  CHECK(symmetry_axis({0.3, 1, 1}) == 0);
-  CHECK(symmetry_axis({1, 2, 1}) == 1);
-  CHECK(symmetry_axis({1, 2, 3}) == 2);
-  CHECK(symmetry_axis({3, 2, 1}) == 0);
-  CHECK(symmetry_axis({2, 3, 1}) == 1);
-  CHECK(symmetry_axis({1, 1, 1}) == 2);
-}
-
 TEST_CASE("a prescribed tensor holds for the symmetry axes of every shape") {
   const SymMat3 wanted{0.6, 0.3, 0.1, 0.02, -0.05, 0.1};
   for (double aspect : {3.0, 0.3}) {

@@ -64,20 +64,7 @@ TEST_CASE("one or two axes have an infinite rho, whatever rounding says") {
   }
 }
 
-TEST_CASE("the axis of a body: revolution, else the longest; none of round ones") {
-  const Quaternion turn = normalized(Quaternion{0.3, -0.5, 0.1, 0.8});
-  const Mat3 frame = to_matrix(turn);
-  CHECK(symmetry_axis(Body(Ellipsoid{{1, 3, 1}, turn})) == frame.col_y);
-  CHECK(symmetry_axis(Body(Ellipsoid{{2, 2, 1}, turn})) == frame.col_z);
-  CHECK(symmetry_axis(Body(Ellipsoid{{3, 2, 1}, turn})) == frame.col_x);
-  CHECK(symmetry_axis(Body(Cylinder{1, 0.1, {0, 1, 0}})) == Vec3{0, 1, 0});
-  CHECK(symmetry_axis(Body(Spherocylinder{1, 2, {1, 0, 0}})) == Vec3{1, 0, 0});
-  CHECK(symmetry_axis(Body(Ellipse{{2, 1}, 0.3})) == Vec3{std::cos(0.3), std::sin(0.3), 0});
-  const Vec3 upright = *symmetry_axis(Body(Ellipse{{1, 2}, 0.0}));
-  CHECK(upright.y == 1.0);
-  CHECK_FALSE(symmetry_axis(Body(Sphere{})).has_value());
-  CHECK_FALSE(symmetry_axis(Body(Disk{})).has_value());
-
+TEST_CASE("the symmetry axes of a group; none of round ones") {
   Packing packing;
   packing.groups = {"rods", "balls", "none"};
   packing.inclusions = {{{}, Cylinder{0.1, 0.2, {1, 0, 0}}, 0},

@@ -63,7 +63,6 @@ inline void check_found(const Scene& scene, std::size_t k, const Partner& partne
 
 /// Two of revolution, whatever their shapes are called?
 inline bool are_two_of_revolution(const Bodies& bodies, std::size_t k, const Partner& partner) {
-  using event_driven::Form;
   return !event_driven::is_wall(partner.body) && bodies.min_gap == 0.0 &&
          bodies.form[k] <= Form::spheroid &&
          bodies.form[static_cast<std::size_t>(partner.body)] <= Form::spheroid;

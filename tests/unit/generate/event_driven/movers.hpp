@@ -150,13 +150,6 @@ inline Watch watch(const Scene& scene, std::size_t k, const Partner& partner, do
   }
 }
 
-/// A pair of the zoo moved apart until `gap` lies between the surfaces, at the least.
-inline zoo::Pair moved_apart(zoo::Pair pair, double gap_wanted) {
-  const Gap g = gap(pair.a, pair.b, pair.r);
-  if (g.value < gap_wanted) pair.r += (gap_wanted - g.value) * g.normal;
-  return pair;
-}
-
 /// How a random pair moves.
 struct Motion {
   double spin = 1.0;    ///< Most that a body turns in a unit of time [1/T].

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "generate/event_driven/collision.hpp"
-#include "generate/event_driven/touching_points.hpp"
+#include "generate/event_driven/plane_search.hpp"
+#include "geometry/touching_points.hpp"
 #include "judged_search.hpp"
 #include "movers.hpp"
 #include "support/each_pair.hpp"
@@ -27,7 +28,7 @@ double random_gap(const zoo::Pair& pair, zoo::Zoo& zoo) {
 
 Scene random_scene(const zoo::Pair& pair, Motion motion, zoo::Zoo& zoo) {
   motion.min_gap *= zoo::size_of(pair);
-  return movers::approaching(movers::moved_apart(pair, motion.min_gap + random_gap(pair, zoo)),
+  return movers::approaching(zoo::moved_apart(pair, motion.min_gap + random_gap(pair, zoo)),
                              motion, zoo);
 }
 

@@ -47,7 +47,7 @@ Crowd crowd_of(int others, double growth, double min_gap, zoo::Zoo& zoo, const D
   for (int k = 1; k <= others; ++k) {
     movers::Mover m = mover(draw());
     zoo::Pair pair{crowd.scene.movers[0].body, m.body, zoo.uniform(0.5, 2.5) * zoo.direction(3)};
-    pair = movers::moved_apart(pair, min_gap + zoo.log_uniform(1e-8, 0.5));
+    pair = zoo::moved_apart(pair, min_gap + zoo.log_uniform(1e-8, 0.5));
     Neighbor n;
     n.body = k;
     n.hint[0] = 0.5F;

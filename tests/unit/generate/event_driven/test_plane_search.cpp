@@ -4,16 +4,18 @@
 #include <cmath>
 
 #include "generate/event_driven/contact_gap.hpp"
-#include "posed_pair.hpp"
+#include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/measures.hpp"
 #include "support/each_pair.hpp"
 #include "support/oracle.hpp"
+#include "support/posed_pair.hpp"
 
 namespace packstone::event_driven {
 namespace {
 
-using movers::gap_along;
-using movers::posed_pair;
-using movers::PosedPair;
+using zoo::gap_along;
+using zoo::posed_pair;
+using zoo::PosedPair;
 
 Vec3 random_normal(const Body& body, zoo::Zoo& zoo) {
   return zoo.log_uniform(0.01, 100) * zoo.direction(dimension(kind(body)));
@@ -43,7 +45,7 @@ TEST_CASE("the best plane between bodies that nearly touch shows the gap") {
   zoo::for_each_pair(3, 30, [](const zoo::Pair& drawn, zoo::PairClass, int k) {
     const double reach = zoo::size_of(drawn);
     const double wanted = k < 10 ? 1e-12 : k < 20 ? 1e-9 : 1e-7;
-    const zoo::Pair pair = movers::moved_apart(drawn, wanted * reach);
+    const zoo::Pair pair = zoo::moved_apart(drawn, wanted * reach);
     const Gap truth = gap(pair.a, pair.b, pair.r);
     if (truth.value > 2.0 * wanted * reach) return;
     const PosedPair p = posed_pair(pair);
@@ -60,7 +62,7 @@ TEST_CASE("the best plane between bodies that nearly touch shows the gap") {
 TEST_CASE("one step from any plane makes a plane that separates no more than there is") {
   zoo::Zoo zoo(4);
   zoo::for_each_pair(4, 20, [&](const zoo::Pair& drawn, zoo::PairClass, int) {
-    const zoo::Pair pair = movers::moved_apart(drawn, 1e-3 * zoo::size_of(drawn));
+    const zoo::Pair pair = zoo::moved_apart(drawn, 1e-3 * zoo::size_of(drawn));
     const PosedPair p = posed_pair(pair);
     const Gap truth = gap(pair.a, pair.b, pair.r);
     Vec3 known;
@@ -76,7 +78,7 @@ TEST_CASE("one step from any plane makes a plane that separates no more than the
 TEST_CASE("a few steps of the plane prove bodies apart that are a thousandth of their size apart") {
   int apart = 0, pairs = 0;
   zoo::for_each_pair(5, 20, [&](const zoo::Pair& drawn, zoo::PairClass, int) {
-    const zoo::Pair pair = movers::moved_apart(drawn, 1e-3 * zoo::size_of(drawn));
+    const zoo::Pair pair = zoo::moved_apart(drawn, 1e-3 * zoo::size_of(drawn));
     const PosedPair p = posed_pair(pair);
     Vec3 known;
     for (int step = 0; step < 8; ++step) {

@@ -1,14 +1,13 @@
-#include "generate/event_driven/touching_points.hpp"
+#include "geometry/touching_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "generate/event_driven/contact_gap.hpp"
 #include "geometry/axis_segments.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 namespace {
 
 // What of a body rests on a plane.
@@ -22,9 +21,9 @@ struct Side {
   double extent = 0.0;  // Half length of lines, radius of flats [L].
 };
 
-// A side whose ends lie no farther from the plane than what counts as contact rests on it.
+// A side that is tilted to the plane by no more than this rests on it.
 Rest rest_of(const PosedBody& body, const Vec3& n) {
-  constexpr double kOnSide = 0.5 * kGeneralContactGap;
+  constexpr double kOnSide = 1e-7;
   if (is_ellipsoid(body.form)) return Rest::point;
   const double along = dot(body.pose.axis, n);
   if (std::abs(along) < kOnSide) return Rest::line;
@@ -127,20 +126,6 @@ Vec3 shared_point(const Side& a, const Side& b, const Vec3& toward) {
 
 }  // namespace
 
-Vec3 support_point(const PosedBody& body, const Vec3& n) {
-  constexpr double kOnSide = 1e-14;
-  if (is_ellipsoid(body.form)) {
-    const Vec3 image = shape_times(body, n);
-    return image / std::sqrt(dot(n, image));
-  }
-  const double along = dot(n, body.pose.axis);
-  const double end = std::abs(along) < kOnSide ? 0.0 : std::copysign(body.axial, along);
-  if (body.form == Form::spherocylinder) return end * body.pose.axis + body.lateral * n;
-  const Vec3 flat = n - along * body.pose.axis;
-  const double length = norm(flat);
-  return end * body.pose.axis + (length < kOnSide ? Vec3{} : (body.lateral / length) * flat);
-}
-
 TouchingPoints touching_points(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& n,
                                const Vec3& toward) {
   const Side side_a = side_of(a, {}, n, n), side_b = side_of(b, r, n, -n);
@@ -158,4 +143,4 @@ Vec3 touching_point(const PosedBody& body, const Vec3& n, const Vec3& toward) {
   return shared_point(side, wall, flattened(toward, n)) + support(body, n) * n;
 }
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

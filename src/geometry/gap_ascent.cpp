@@ -1,14 +1,14 @@
-#include "generate/event_driven/gap_ascent.hpp"
+#include "geometry/gap_ascent.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "generate/event_driven/support_jet.hpp"
-#include "generate/event_driven/touching_points.hpp"
+#include "geometry/support_jet.hpp"
+#include "geometry/touching_points.hpp"
 #include "packstone/geometry/contact.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 namespace {
 
 double gap_along(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& unit) {
@@ -264,4 +264,4 @@ Vec3 ascend_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec
   return gap(general_body(a), general_body(b), r).normal;
 }
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

@@ -1,19 +1,21 @@
-#include "generate/event_driven/touching_points.hpp"
+#include "geometry/touching_points.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "generate/event_driven/contact_gap.hpp"
-#include "posed_pair.hpp"
+#include "geometry/gap_ascent.hpp"
+#include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/contact.hpp"
 #include "support/each_pair.hpp"
 #include "support/oracle.hpp"
+#include "support/posed_pair.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 namespace {
 
-using movers::gap_along;
-using movers::posed_pair;
-using movers::PosedPair;
+using zoo::gap_along;
+using zoo::posed_pair;
+using zoo::PosedPair;
 
 // Neither outside its body, but for sides taken to rest on a plane that they are tilted to, nor
 // anywhere but across from the other.
@@ -76,10 +78,10 @@ TEST_CASE("bodies that nearly touch meet at points of both, across from each oth
   zoo::Zoo zoo(3);
   zoo::for_each_pair(3, 30, [&](const zoo::Pair& drawn, zoo::PairClass, int k) {
     const double wanted = k < 10 ? 1e-12 : k < 20 ? 1e-9 : 1e-7;
-    const zoo::Pair pair = movers::moved_apart(drawn, wanted * zoo::size_of(drawn));
+    const zoo::Pair pair = zoo::moved_apart(drawn, wanted * zoo::size_of(drawn));
     if (gap(pair.a, pair.b, pair.r).value > 2.0 * wanted * zoo::size_of(drawn)) return;
     const PosedPair p = posed_pair(pair);
-    const Vec3 n = normalized(find_plane(p.a, p.b, pair.r, 0.0, {}, Effort::touch));
+    const Vec3 n = ascend_gap(p.a, p.b, pair.r, normalized(pair.r), 1e-9);
     const Vec3 toward = zoo.direction(3);
     const TouchingPoints middle = touching_points(p.a, p.b, pair.r, n, {});
     const TouchingPoints farthest = touching_points(p.a, p.b, pair.r, n, toward);
@@ -137,4 +139,4 @@ TEST_CASE("against a wall all of a side is met") {
   CHECK(touching_point(rod, {0, 0, 1}, {0, -2, 9}) == Vec3{0, -1, 3});
 }
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

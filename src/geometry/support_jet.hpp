@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generate/event_driven/plane_search.hpp"
+#include "geometry/posed_body.hpp"
 #include "packstone/core/vec.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 
 /// A direction with two directions across it.
 struct Tangents {
@@ -64,4 +64,4 @@ inline SupportJet support_jet(const PosedBody& body, const Tangents& at, double 
   return jet_of_profile(h * x + r * flat, h - r * x / flat, -r / (flat * flat * flat), x, x_1, x_2);
 }
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

@@ -7,19 +7,15 @@
 /// side that lies across a flat end, the lens that two flat ends share. Their gap closes as fast as
 /// the fastest of these points; how two bodies collide depends on which one they meet at.
 
-#include "generate/event_driven/plane_search.hpp"
+#include "geometry/posed_body.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 
 /// The points of both bodies across from each other.
 struct TouchingPoints {
   Vec3 of_a;  ///< From the center of a [L].
   Vec3 of_b;  ///< From the center of b [L].
 };
-
-/// Where the body comes nearest to a plane with unit normal n, relative to its center [L]; the
-/// middle of a side that rests on it.
-[[nodiscard]] Vec3 support_point(const PosedBody& body, const Vec3& n);
 
 /// Where a and b come nearest along the unit vector n, which points from a to b; r from center to
 /// center. Of a side that they share: what lies farthest along `toward`, or for 0 its middle.
@@ -29,4 +25,4 @@ struct TouchingPoints {
 /// The same for a body and a wall.
 [[nodiscard]] Vec3 touching_point(const PosedBody& body, const Vec3& n, const Vec3& toward);
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

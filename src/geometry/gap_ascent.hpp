@@ -14,13 +14,13 @@
 /// g is concave as a function of vectors, so that what is found is the one maximum. Where the
 /// search does not end soon, gap() of contact.hpp has the last word.
 
-#include "generate/event_driven/plane_search.hpp"
+#include "geometry/posed_body.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 
 /// A unit vector along which the gap is the largest, to `accuracy` [rad], starting from the unit
 /// vector `start`.
 [[nodiscard]] Vec3 ascend_gap(const PosedBody& a, const PosedBody& b, const Vec3& r,
                               const Vec3& start, double accuracy);
 
-}  // namespace packstone::event_driven
+}  // namespace packstone
