@@ -9,7 +9,6 @@
 
 #include "generate/event_driven/bodies.hpp"
 #include "generate/event_driven/pair_lanes.hpp"
-#include "generate/event_driven/reference_grid.hpp"
 #include "generate/event_driven/reference_lanes.hpp"
 
 namespace packstone::event_driven {
@@ -49,7 +48,6 @@ struct LaneKernels {
   std::size_t (*balls)(const PairQuestion&, Suspect*, double& least_gap);
   std::size_t (*revolution)(const PairQuestion&, Suspect*);
   void (*bound_gaps)(const GapQuestion&);
-  CapsuleHits capsules;
 };
 
 /// Named for the numbers in a register.

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "generate/event_driven/lanes.hpp"
+#include "core/lanes.hpp"
 #include "generate/event_driven/reference_lanes.hpp"
 #include "generate/event_driven/revolution_pair.hpp"
 

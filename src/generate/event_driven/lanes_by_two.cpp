@@ -1,9 +1,8 @@
-#include "generate/event_driven/capsule_kernels.hpp"
 #include "generate/event_driven/gap_kernels.hpp"
 #include "generate/event_driven/pair_kernels.hpp"
 
 namespace packstone::event_driven {
 
-const LaneKernels kLanesByTwo{look_at_balls, look_at_revolution, bound_gaps_in, capsules_that_meet};
+const LaneKernels kLanesByTwo{look_at_balls, look_at_revolution, bound_gaps_in};
 
 }  // namespace packstone::event_driven

@@ -46,7 +46,7 @@ NearNeighbors::NearNeighbors(const Bodies& bodies, const Cell& cell)
 void NearNeighbors::gather(std::int32_t i) {
   candidates_.clear();
   const double reach = near_.reach(i);
-  grid_.query(near_.capsule(i), [&](std::int32_t j, const ReferenceGrid::Image& image) {
+  grid_.query(near_.capsule(i), scratch_, [&](std::int32_t j, const CapsuleGrid::Image& image) {
     if (j != i) candidates_.push_back(near_.neighbor(i, j, image));
   });
   for_own_images(cell_, {reach, reach, reach}, 0.0, [&](const std::array<int, 3>& image) {

@@ -16,8 +16,8 @@
 #include "generate/event_driven/bodies.hpp"
 #include "generate/event_driven/contact_search.hpp"
 #include "generate/event_driven/neighborhoods.hpp"
-#include "generate/event_driven/reference_grid.hpp"
 #include "packstone/core/cell.hpp"
+#include "spatial/capsule_grid.hpp"
 
 namespace packstone::event_driven {
 
@@ -60,7 +60,8 @@ class NearNeighbors {
 
   const Bodies& bodies_;
   Cell cell_;
-  ReferenceGrid grid_;
+  CapsuleGrid grid_;
+  CapsuleGrid::Scratch scratch_;
   std::vector<double> margin_scale_;  // What margins are measured in [L].
   Neighborhoods near_;
   NeighborLists lists_;

@@ -10,9 +10,9 @@
 
 #include "generate/event_driven/bodies.hpp"
 #include "generate/event_driven/plane_search.hpp"
-#include "generate/event_driven/reference_grid.hpp"
 #include "generate/event_driven/reference_lanes.hpp"
 #include "packstone/core/cell.hpp"
+#include "spatial/capsule_grid.hpp"
 
 namespace packstone::event_driven {
 

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "generate/event_driven/neighborhoods.hpp"
-#include "generate/event_driven/reference_grid.hpp"
 #include "generate/event_driven/run_state.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/structure/check_packing.hpp"
+#include "spatial/capsule_grid.hpp"
 
 namespace packstone::event_driven {
 namespace {
@@ -83,9 +83,10 @@ class Placement {
       }
     }
     near_.clear();
-    grid_.query(standing_.capsule(i), [&](std::int32_t j, const ReferenceGrid::Image& image) {
-      near_.push_back(standing_.neighbor(i, j, image));
-    });
+    grid_.query(standing_.capsule(i), scratch_,
+                [&](std::int32_t j, const CapsuleGrid::Image& image) {
+                  near_.push_back(standing_.neighbor(i, j, image));
+                });
     standing_.keep_near(i, near_);
     if (!near_.empty()) return false;
     grid_.insert(i, standing_.capsule(i));
@@ -98,7 +99,8 @@ class Placement {
   std::uint64_t seed_;
   Bodies bodies_;
   Neighborhoods standing_;
-  ReferenceGrid grid_;
+  CapsuleGrid grid_;
+  CapsuleGrid::Scratch scratch_;
   double margin_ = 0.0;
   std::vector<Neighbor> near_;
 };

@@ -14,7 +14,7 @@
 
 #define PACKSTONE_LANES [[gnu::always_inline]] static inline
 
-namespace packstone::event_driven {
+namespace packstone {
 
 // The compilers' own vectors.
 using Lanes = double __attribute__((vector_size(64)));
@@ -118,4 +118,4 @@ PACKSTONE_LANES Columns gathered(const Line* lines, const std::int32_t (&body)[8
   return transposed(rows);
 }
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

@@ -1,10 +1,8 @@
-#include "generate/event_driven/reference_grid.hpp"
+#include "spatial/capsule_grid.hpp"
 
 #include <algorithm>
 
-#include "generate/event_driven/lane_kernels.hpp"
-
-namespace packstone::event_driven {
+namespace packstone {
 namespace {
 
 // Bodies per grid cell that a query is fastest with, and pieces of long ones, as measured.
@@ -54,21 +52,21 @@ void move_lane(const CapsuleChunk& from, std::size_t lane, CapsuleChunk& to, std
 
 }  // namespace
 
-ReferenceGrid::ReferenceGrid(const Cell& cell)
+CapsuleGrid::CapsuleGrid(const Cell& cell)
     : cell_(cell),
       slack_(0x1p-19 * std::max({cell.size.x, cell.size.y, cell.size.z})),
-      hits_(lane_kernels().capsules) {
+      hits_(capsule_hits()) {
   for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
     per_size_[a] = 1.0 / cell.size[a];
   }
 }
 
-std::int32_t ReferenceGrid::level_of(double reach) const {
+std::int32_t CapsuleGrid::level_of(double reach) const {
   const int exponent = reach > smallest_ ? std::ilogb(reach / smallest_) : 0;
   return std::min(exponent, static_cast<int>(levels_.size()) - 1);
 }
 
-void ReferenceGrid::shape(Level& level, const std::vector<Capsule>& capsules) {
+void CapsuleGrid::shape(Level& level, const std::vector<Capsule>& capsules) {
   level.piece = edge_for(cell_, capsules, kBodiesPerCell);
   const bool cut = std::any_of(capsules.begin(), capsules.end(),
                                [&](const Capsule& c) { return pieces_of(c, level.piece) > 1.0; });
@@ -81,10 +79,9 @@ void ReferenceGrid::shape(Level& level, const std::vector<Capsule>& capsules) {
   level.chunks.assign(cells, {});
 }
 
-void ReferenceGrid::reset(const std::vector<Capsule>& capsules) {
+void CapsuleGrid::reset(const std::vector<Capsule>& capsules) {
   levels_.clear();
   places_.assign(capsules.size(), {});
-  first_.assign(capsules.size(), 0);
   if (capsules.empty()) return;
   const auto [low, high] =
       std::minmax_element(capsules.begin(), capsules.end(),
@@ -111,7 +108,7 @@ void ReferenceGrid::reset(const std::vector<Capsule>& capsules) {
   grid_cells_.assign(static_cast<std::size_t>(pieces), 0);
 }
 
-bool ReferenceGrid::is_new(std::int32_t body, const Image& image) {
+bool CapsuleGrid::Scratch::is_new(std::int32_t body, const Image& image) {
   std::uint32_t& first = first_[static_cast<std::size_t>(body)];
   if (first < found_.size() && found_[first].body == body) {
     const auto is_same = [&](const Seen& s) { return s.body == body && s.image == image; };
@@ -123,7 +120,7 @@ bool ReferenceGrid::is_new(std::int32_t body, const Image& image) {
   return true;
 }
 
-CapsuleChunk& ReferenceGrid::chunk_with_room(Level& level, std::int32_t grid_cell) {
+CapsuleChunk& CapsuleGrid::chunk_with_room(Level& level, std::int32_t grid_cell) {
   auto at = static_cast<std::size_t>(grid_cell);
   while (level.chunks[at].count == static_cast<std::int32_t>(CapsuleChunk::kLanes)) {
     if (level.chunks[at].next < 0) {
@@ -142,8 +139,8 @@ CapsuleChunk& ReferenceGrid::chunk_with_room(Level& level, std::int32_t grid_cel
   return level.chunks[at];
 }
 
-void ReferenceGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
-                                 std::int32_t& grid_cell) {
+void CapsuleGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
+                               std::int32_t& grid_cell) {
   std::array<int, 3> index{}, wrap{};
   for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
     const int n = level.dims[a];
@@ -170,7 +167,7 @@ void ReferenceGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
   for (std::size_t a = 0; a < 3; ++a) chunk.wrap[lane][a] = static_cast<std::int16_t>(wrap[a]);
 }
 
-void ReferenceGrid::insert(std::int32_t body, const Capsule& capsule) {
+void CapsuleGrid::insert(std::int32_t body, const Capsule& capsule) {
   const Place& place = places_[static_cast<std::size_t>(body)];
   Level& level = levels_[static_cast<std::size_t>(place.level)];
   Capsule piece = capsule;
@@ -182,7 +179,7 @@ void ReferenceGrid::insert(std::int32_t body, const Capsule& capsule) {
   }
 }
 
-void ReferenceGrid::remove_piece(Level& level, std::int32_t body, std::int32_t grid_cell) {
+void CapsuleGrid::remove_piece(Level& level, std::int32_t body, std::int32_t grid_cell) {
   --level.pieces;
   CapsuleChunk* held = nullptr;
   std::size_t lane = 0;
@@ -205,7 +202,7 @@ void ReferenceGrid::remove_piece(Level& level, std::int32_t body, std::int32_t g
   before->next = -1;
 }
 
-void ReferenceGrid::remove(std::int32_t body) {
+void CapsuleGrid::remove(std::int32_t body) {
   const Place& place = places_[static_cast<std::size_t>(body)];
   Level& level = levels_[static_cast<std::size_t>(place.level)];
   for (std::int32_t k = 0; k < place.pieces; ++k) {
@@ -213,4 +210,4 @@ void ReferenceGrid::remove(std::int32_t body) {
   }
 }
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

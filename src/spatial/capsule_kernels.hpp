@@ -1,14 +1,15 @@
 #pragma once
 
 /// @file
-/// Which capsules of a chunk meet another one, in lanes. Included as pair_kernels.hpp is.
+/// Which capsules of a chunk meet another one, in lanes. Included by one source per
+/// width of registers.
 
 #include <cstdint>
 
-#include "generate/event_driven/lanes.hpp"
-#include "generate/event_driven/reference_grid.hpp"
+#include "core/lanes.hpp"
+#include "spatial/capsule_lanes.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 namespace {
 
 PACKSTONE_LANES Single single_of(const float (&numbers)[8]) {
@@ -49,4 +50,4 @@ PACKSTONE_LANES unsigned capsules_that_meet(const CapsuleChunk& c, const SeenCap
 }
 
 }  // namespace
-}  // namespace packstone::event_driven
+}  // namespace packstone

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Which neighborhoods come near this one? Grids over the cell that bodies may leave and enter.
+/// Which capsules come near this one? Grids over the cell that bodies may leave and enter.
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,9 @@
 
 #include "packstone/core/cell.hpp"
 #include "packstone/core/vec.hpp"
+#include "spatial/capsule_lanes.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 
 /// All points within `radius` of a segment about `center`: a ball where `half` is 0.
 struct Capsule {
@@ -24,25 +25,6 @@ struct Capsule {
   [[nodiscard]] double reach() const { return half + radius; }
 };
 
-/// Some of those in one grid cell, side by side.
-struct alignas(32) CapsuleChunk {
-  static constexpr std::size_t kLanes = 8;
-  float x[kLanes], y[kLanes], z[kLanes], axis_x[kLanes], axis_y[kLanes], axis_z[kLanes],
-      half[kLanes], radius[kLanes];
-  std::int32_t body[kLanes];
-  std::int16_t wrap[kLanes][3];  ///< Periods from where it is kept to where it belongs.
-  std::int32_t count = 0;
-  std::int32_t next = -1;
-};
-
-/// One to be held against them, as an image of the cell sees it.
-struct SeenCapsule {
-  float x, y, z, axis_x, axis_y, axis_z, half, radius;
-};
-
-/// A bit for every lane that meets it, or nearly does.
-using CapsuleHits = unsigned (*)(const CapsuleChunk&, const SeenCapsule&);
-
 /// Capsules about bodies, found by place, image by image. A level of its own for every doubling of
 /// the reach, so that bodies of very unequal sizes cost no more than equal ones. Long capsules are
 /// cut into pieces about as long as a grid cell, and those that are asked about walk along
@@ -50,12 +32,12 @@ using CapsuleHits = unsigned (*)(const CapsuleChunk&, const SeenCapsule&);
 ///
 /// Capsules are kept as floats; a query never misses one that it should find and may find one that
 /// stays away by up to 2^-18 of the longest edge.
-class ReferenceGrid {
+class CapsuleGrid {
  public:
   /// An image of the cell: whole periods along each axis.
   using Image = std::array<int, 3>;
 
-  explicit ReferenceGrid(const Cell& cell);
+  explicit CapsuleGrid(const Cell& cell);
 
   /// Empties the grid and lays it out for bodies of these sizes, wherever they are.
   void reset(const std::vector<Capsule>& capsules);
@@ -65,12 +47,27 @@ class ReferenceGrid {
   void insert(std::int32_t body, const Capsule& capsule);
   void remove(std::int32_t body);
 
-  /// Calls visit(body, image) once for every capsule of which an image meets this one.
+  /// What a query needs to remember on its way. One for each thread that asks.
+  class Scratch {
+    friend class CapsuleGrid;
+    struct Seen {
+      std::int32_t body;
+      Image image;
+    };
+    bool is_new(std::int32_t body, const Image& image);
+
+    std::vector<Seen> found_;           // By the query that is going on, among those cut.
+    std::vector<std::uint32_t> first_;  // In found_, of every body that is there.
+  };
+
+  /// Calls visit(body, image) once for every capsule of which an image meets this one. Any number
+  /// of threads may ask at once, as long as none inserts or removes.
   template <class Visit>
-  void query(const Capsule& capsule, Visit&& visit) {
-    found_.clear();
+  void query(const Capsule& capsule, Scratch& scratch, Visit&& visit) const {
+    scratch.found_.clear();
+    scratch.first_.resize(places_.size());
     for (const Level& level : levels_) {
-      if (level.pieces > 0) query_level(level, capsule, visit);
+      if (level.pieces > 0) query_level(level, capsule, scratch, visit);
     }
   }
 
@@ -97,10 +94,6 @@ class ReferenceGrid {
   // From the center of a capsule along its axis [L].
   struct Stretch {
     double first, last;
-  };
-  struct Seen {
-    std::int32_t body;
-    Image image;
   };
 
   static int floor_div(int a, int n) { return a >= 0 ? a / n : -((n - 1 - a) / n); }
@@ -147,7 +140,8 @@ class ReferenceGrid {
   }
 
   template <class Visit>
-  void query_level(const Level& level, const Capsule& capsule, Visit& visit) {
+  void query_level(const Level& level, const Capsule& capsule, Scratch& scratch,
+                   Visit& visit) const {
     const auto as_float = [](double x) { return static_cast<float>(x); };
     SeenCapsule seen{0,
                      0,
@@ -190,7 +184,7 @@ class ReferenceGrid {
           const int mx = floor_div(kx, nx);
           seen.x = as_float(capsule.center.x - mx * cell_.size.x);
           visit_chain(level, static_cast<std::size_t>(row + kx - mx * nx), seen, {mx, my, mz},
-                      visit);
+                      scratch, visit);
         }
       }
     }
@@ -198,7 +192,7 @@ class ReferenceGrid {
 
   template <class Visit>
   void visit_chain(const Level& level, std::size_t head, const SeenCapsule& seen,
-                   const Image& cell_image, Visit& visit) {
+                   const Image& cell_image, Scratch& scratch, Visit& visit) const {
     for (const CapsuleChunk* chunk = &level.chunks[head]; chunk->count > 0;
          chunk = &level.chunks[static_cast<std::size_t>(chunk->next)]) {
       for (unsigned hits = hits_(*chunk, seen); hits != 0; hits &= hits - 1) {
@@ -207,13 +201,12 @@ class ReferenceGrid {
         const auto& wrap = chunk->wrap[lane];
         const Image image{cell_image[0] - wrap[0], cell_image[1] - wrap[1],
                           cell_image[2] - wrap[2]};
-        if (!level.cut || is_new(body, image)) visit(body, image);
+        if (!level.cut || scratch.is_new(body, image)) visit(body, image);
       }
       if (chunk->next < 0) return;
     }
   }
 
-  bool is_new(std::int32_t body, const Image& image);
   void shape(Level& level, const std::vector<Capsule>& capsules);
   [[nodiscard]] std::int32_t level_of(double reach) const;
   void insert_piece(Level& level, std::int32_t body, Capsule piece, std::int32_t& grid_cell);
@@ -227,9 +220,7 @@ class ReferenceGrid {
   std::vector<Level> levels_;
   std::vector<Place> places_;
   std::vector<std::int32_t> grid_cells_;  // Of every piece.
-  std::vector<Seen> found_;               // By the query that is going on, among those cut.
-  std::vector<std::uint32_t> first_;      // In found_, of every body that is there.
   CapsuleHits hits_;
 };
 
-}  // namespace packstone::event_driven
+}  // namespace packstone

@@ -1,4 +1,4 @@
-#include "generate/event_driven/reference_grid.hpp"
+#include "spatial/capsule_grid.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -11,10 +11,10 @@
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/contact.hpp"
 
-namespace packstone::event_driven {
+namespace packstone {
 namespace {
 
-using Image = ReferenceGrid::Image;
+using Image = CapsuleGrid::Image;
 using Found = std::map<std::pair<std::int32_t, Image>, int>;  // How often.
 
 Body body_of(const Capsule& c) {
@@ -74,7 +74,7 @@ class Filled {
 
   [[nodiscard]] Found query(const Capsule& c) {
     Found found;
-    grid_.query(c, [&](std::int32_t i, const Image& image) { ++found[{i, image}]; });
+    grid_.query(c, scratch_, [&](std::int32_t i, const Image& image) { ++found[{i, image}]; });
     return found;
   }
 
@@ -136,7 +136,8 @@ class Filled {
 
   Kind kind_;
   RandomStream random_;
-  ReferenceGrid grid_;
+  CapsuleGrid grid_;
+  CapsuleGrid::Scratch scratch_;
   std::vector<Capsule> capsules_;
   std::vector<bool> inside_;
 };
@@ -181,13 +182,14 @@ TEST_CASE("the grid forgets nobody however often capsules leave, enter, grow and
 
 TEST_CASE("the grid finds those of one crowded place, and none when it is empty") {
   const Cell cell{};
-  ReferenceGrid grid(cell);
+  CapsuleGrid grid(cell);
   constexpr std::int32_t kCrowd = 100;
   const Capsule spot{{0.5, 0.5, 0.5}, {0, 0, 1}, 0.0, 0.01};
   grid.reset(std::vector<Capsule>(kCrowd, spot));
   const auto found = [&] {
     std::set<std::int32_t> bodies;
-    grid.query(spot, [&](std::int32_t i, const Image&) { bodies.insert(i); });
+    CapsuleGrid::Scratch scratch;
+    grid.query(spot, scratch, [&](std::int32_t i, const Image&) { bodies.insert(i); });
     return bodies.size();
   };
   CHECK(found() == 0);
@@ -201,7 +203,7 @@ TEST_CASE("the grid finds those of one crowded place, and none when it is empty"
 
 TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
   const Cell cell{};
-  ReferenceGrid grid(cell);
+  CapsuleGrid grid(cell);
   const double last = std::nextafter(1.0, 0.0);
   const std::vector<Vec3> places{{0, 0, 0}, {last, 0, 0}, {0, last, 0.5}, {last, last, last}};
   std::vector<Capsule> capsules;
@@ -211,11 +213,42 @@ TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
     grid.insert(static_cast<std::int32_t>(k), capsules[k]);
   }
   std::set<std::pair<std::int32_t, Image>> found;
-  grid.query({{last, 0, 0}, {0, 0, 1}, 0.0, 0.01}, [&](std::int32_t i, const Image& image) {
-    found.insert({i, image});
-  });
+  CapsuleGrid::Scratch scratch;
+  grid.query({{last, 0, 0}, {0, 0, 1}, 0.0, 0.01}, scratch,
+             [&](std::int32_t i, const Image& image) {
+               found.insert({i, image});
+             });
   CHECK(found ==
         std::set<std::pair<std::int32_t, Image>>{{0, {1, 0, 0}}, {1, {0, 0, 0}}, {3, {0, -1, -1}}});
 }
 
-}  // namespace packstone::event_driven
+TEST_CASE("all widths of registers find the same capsules") {
+  std::vector<CapsuleHits> widths{kCapsulesByTwo};
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2") != 0) widths.push_back(kCapsulesByFour);
+  if (__builtin_cpu_supports("avx512f") != 0) widths.push_back(kCapsulesByEight);
+#endif
+  RandomStream random(7, StreamId::test);
+  const auto number = [&](double lo, double hi) {
+    return static_cast<float>(random.uniform(lo, hi));
+  };
+  int met = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    CapsuleChunk chunk;
+    for (std::size_t l = 0; l < CapsuleChunk::kLanes; ++l) {
+      const Vec3 axis = random_direction(random);
+      chunk.x[l] = number(-2, 2), chunk.y[l] = number(-2, 2), chunk.z[l] = number(-2, 2);
+      chunk.axis_x[l] = static_cast<float>(axis.x), chunk.axis_y[l] = static_cast<float>(axis.y),
+      chunk.axis_z[l] = static_cast<float>(axis.z);
+      chunk.half[l] = number(0, 1), chunk.radius[l] = number(0, 0.5);
+    }
+    chunk.count = static_cast<std::int32_t>(1 + random.below(CapsuleChunk::kLanes));
+    const SeenCapsule seen{0, 0, 0, 0, 0, 1, number(0, 1), number(0, 0.5)};
+    const unsigned hits = widths.front()(chunk, seen);
+    met += hits != 0;
+    for (const CapsuleHits width : widths) REQUIRE(width(chunk, seen) == hits);
+  }
+  CHECK(met > 1000);
+}
+
+}  // namespace packstone
