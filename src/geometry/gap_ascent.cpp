@@ -264,4 +264,14 @@ Vec3 ascend_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec
   return gap(general_body(a), general_body(b), r).normal;
 }
 
+bool climb_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, Vec3& direction,
+               double accuracy) {
+  Ascent ascent(a, b, r, direction);
+  const bool ended = ascent.run(accuracy);
+  if (gap_along(a, b, r, ascent.direction()) > gap_along(a, b, r, direction)) {
+    direction = ascent.direction();
+  }
+  return ended;
+}
+
 }  // namespace packstone

@@ -23,4 +23,10 @@ namespace packstone {
 [[nodiscard]] Vec3 ascend_gap(const PosedBody& a, const PosedBody& b, const Vec3& r,
                               const Vec3& start, double accuracy);
 
+/// The same, but content with a direction that none next to it beats: where bodies overlap there
+/// may be others, and what is found hangs on the start. Improves the unit vector `direction`; false
+/// where it has not come to an end.
+bool climb_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, Vec3& direction,
+               double accuracy);
+
 }  // namespace packstone
