@@ -52,6 +52,14 @@ void move_lane(const CapsuleChunk& from, std::size_t lane, CapsuleChunk& to, std
 
 }  // namespace
 
+Capsule capsule_about(const PosedBody& body, double around) {
+  double radius = body.lateral;
+  if (body.form == Form::scalene) radius = std::max(radius, body.second);
+  double half = body.form == Form::ball ? 0.0 : body.axial;
+  if (is_ellipsoid(body.form)) half = std::max(0.0, half - radius);
+  return {body.pose.center, body.pose.axis, half, radius + around};
+}
+
 CapsuleGrid::CapsuleGrid(const Cell& cell)
     : cell_(cell),
       slack_(0x1p-19 * std::max({cell.size.x, cell.size.y, cell.size.z})),

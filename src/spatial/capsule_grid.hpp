@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/posed_body.hpp"
 #include "packstone/core/cell.hpp"
 #include "packstone/core/vec.hpp"
 #include "spatial/capsule_lanes.hpp"
@@ -24,6 +25,9 @@ struct Capsule {
 
   [[nodiscard]] double reach() const { return half + radius; }
 };
+
+/// A capsule that holds the body with a shell of thickness `around` [L].
+[[nodiscard]] Capsule capsule_about(const PosedBody& body, double around);
 
 /// Capsules about bodies, found by place, image by image. A level of its own for every doubling of
 /// the reach, so that bodies of very unequal sizes cost no more than equal ones. Long capsules are

@@ -8,6 +8,7 @@
 
 #include "packstone/core/mat.hpp"
 #include "packstone/structure/orientation_law.hpp"
+#include "structure/tensor_turns.hpp"
 
 namespace packstone {
 namespace {
@@ -17,67 +18,15 @@ constexpr double kExact = 2e-15;       // where iteration stops
 constexpr double kGoodEnough = 1e-13;  // what is accepted once rounding ends the progress
 constexpr double kLargestMap = 0.5;    // bound on |S|
 
-using Vec6 = std::array<double, 6>;
-using Mat6 = std::array<Vec6, 6>;
-
-// Components in the orthonormal (Mandel) basis.
-Vec6 components(const SymMat3& a) {
-  constexpr double r = std::numbers::sqrt2;
-  return {a.xx, a.yy, a.zz, r * a.yz, r * a.xz, r * a.xy};
-}
-
-SymMat3 from_components(const Vec6& s) {
-  constexpr double r = 1.0 / std::numbers::sqrt2;
-  return {s[0], s[1], s[2], r * s[3], r * s[4], r * s[5]};
-}
-
-// P B_a u for the six B_a.
-std::array<Vec3, 6> turns(const Vec3& u) {
-  constexpr double r = 1.0 / std::numbers::sqrt2;
-  std::array<Vec3, 6> t{Vec3{u.x, 0, 0},           Vec3{0, u.y, 0},
-                        Vec3{0, 0, u.z},           Vec3{0, r * u.z, r * u.y},
-                        Vec3{r * u.z, 0, r * u.x}, Vec3{r * u.y, r * u.x, 0}};
-  for (Vec3& v : t) v -= dot(u, v) * u;
-  return t;
-}
-
-// Equation (1), with a weight on the trace, which no turn changes, and a floor on the diagonal,
-// which settles directions that no axis has a component in.
+// Equation (1).
 Mat6 response(const std::vector<Vec3>& axes) {
   Mat6 g{};
-  for (const Vec3& u : axes) {
-    const std::array<Vec3, 6> t = turns(u);
-    for (std::size_t a = 0; a < 6; ++a) {
-      for (std::size_t b = 0; b <= a; ++b) g[a][b] += dot(t[a], t[b]);
-    }
-  }
+  for (const Vec3& u : axes) add_products(basis_turns(u), 1.0, g);
   const double factor = 2.0 / static_cast<double>(axes.size());
-  double tr = 0.0;
-  for (std::size_t a = 0; a < 6; ++a) {
-    for (std::size_t b = 0; b <= a; ++b) g[b][a] = g[a][b] *= factor;
-    tr += g[a][a];
+  for (Vec6& row : g) {
+    for (double& entry : row) entry *= factor;
   }
-  for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = 0; b < 3; ++b) g[a][b] += tr / 9.0;
-  }
-  for (std::size_t a = 0; a < 6; ++a) g[a][a] += 1e-13 * tr + 1e-300;
-  return g;
-}
-
-// Solves g x = right by L D L^T without pivots: g is positive definite.
-Vec6 solve(Mat6 g, Vec6 x) {
-  for (std::size_t k = 0; k < 6; ++k) {
-    for (std::size_t i = k + 1; i < 6; ++i) {
-      const double factor = g[i][k] / g[k][k];
-      for (std::size_t j = k; j < 6; ++j) g[i][j] -= factor * g[k][j];
-      x[i] -= factor * x[k];
-    }
-  }
-  for (std::size_t k = 6; k-- > 0;) {
-    for (std::size_t j = k + 1; j < 6; ++j) x[k] -= g[k][j] * x[j];
-    x[k] /= g[k][k];
-  }
-  return x;
+  return made_definite(g);
 }
 
 double largest_entry(const SymMat3& a) {

@@ -31,6 +31,8 @@ enum class StreamId : std::uint64_t {
   draw = 9,
   event_driven_centers = 10,
   event_driven_velocities = 11,
+  relaxation_centers = 13,
+  relaxation_places = 14,
 };
 
 /// The numbers of one (seed, stream, item, trial), drawn in sequence.

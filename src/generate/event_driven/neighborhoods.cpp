@@ -71,14 +71,9 @@ double Neighborhoods::reach(std::int32_t i) const {
 
 Capsule Neighborhoods::capsule(std::int32_t i) const {
   const auto k = static_cast<std::size_t>(i);
-  const StandingLine& line = line_[k];
-  const Vec3 place = line.center - image_shift(cell_, {wraps_[k][0], wraps_[k][1], wraps_[k][2]});
-  double radius = line.lateral;
-  if (bodies_.form[k] == Form::scalene) {
-    radius = std::max(radius, size_[k] * bodies_.second[k].semi_axis);
-  }
-  const double half = is_ellipsoid(bodies_.form[k]) ? line.axial - radius : line.axial;
-  return {place, line.axis, std::max(0.0, half), radius + margin_[k] + 0.5 * bodies_.min_gap};
+  PosedBody wrapped = body(i);
+  wrapped.pose.center -= image_shift(cell_, {wraps_[k][0], wraps_[k][1], wraps_[k][2]});
+  return capsule_about(wrapped, margin_[k] + 0.5 * bodies_.min_gap);
 }
 
 Neighbor Neighborhoods::neighbor(std::int32_t i, std::int32_t j,

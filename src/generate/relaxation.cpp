@@ -1,0 +1,162 @@
+#include "packstone/generate/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "generate/ordered_bodies.hpp"
+#include "generate/relaxation/attempt.hpp"
+#include "packstone/core/error.hpp"
+#include "packstone/core/random.hpp"
+
+namespace packstone {
+namespace {
+
+using relaxation::Attempt;
+
+template <class Value>
+void check_range(const char* field, Value value, bool allowed, const char* range) {
+  if (allowed) return;
+  throw InvalidArgument(
+      fmt::format("RelaxationOptions::{} is {}; allowed is {}", field, value, range));
+}
+
+void check_options(const Cell& cell, int groups, const RelaxationOptions& options) {
+  check_min_gap(cell, options.min_gap, "RelaxationOptions");
+  check_range("inflation", options.inflation, options.inflation > 0.0 && options.inflation <= 0.1,
+              "(0, 0.1]");
+  check_range("patience", options.patience, options.patience >= 1, ">= 1");
+  check_range("relocated_share", options.relocated_share,
+              options.relocated_share >= 0.0 && options.relocated_share <= 1.0, "[0, 1]");
+  check_range("max_relocations", options.max_relocations, options.max_relocations >= 0, ">= 0");
+  check_range("max_restarts", options.max_restarts, options.max_restarts >= 0, ">= 0");
+  if (options.turn.empty() || static_cast<int>(options.turn.size()) >= groups) return;
+  throw InvalidArgument(
+      fmt::format("RelaxationOptions::turn has {} entries; allowed is one for "
+                  "each of the {} groups, or none",
+                  options.turn.size(), groups));
+}
+
+bool is_locked(const RelaxationOptions& options, int group) {
+  return !options.turn.empty() &&
+         options.turn[static_cast<std::size_t>(group)] == RelaxationTurn::locked;
+}
+
+int group_count(const std::vector<OrderedBody>& bodies) {
+  int count = 0;
+  for (const OrderedBody& body : bodies) count = std::max(count, body.group + 1);
+  return count;
+}
+
+void check_bodies(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                  const RelaxationOptions& options) {
+  std::int64_t k = 0;
+  for (const OrderedBody& ordered : bodies) {
+    check_ordered(cell, ordered, k);
+    // Turning, a body may come to stand where as given it could not.
+    const Turn turn = is_locked(options, ordered.group) ? Turn::as_given : Turn::any;
+    check_alone(cell, ordered, k, options.min_gap, turn);
+    ++k;
+  }
+  check_room(cell, bodies, options.min_gap);
+}
+
+std::vector<Vec3> random_centers(const Cell& cell, std::size_t count, std::uint64_t seed,
+                                 std::int64_t attempt) {
+  std::vector<Vec3> centers(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    RandomStream random(seed, StreamId::relaxation_centers, i, static_cast<std::uint64_t>(attempt));
+    for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
+      centers[i][a] = wrapped(random.uniform(0.0, cell.size[a]), cell.size[a]);
+    }
+  }
+  return centers;
+}
+
+Packing placed(const Cell& cell, const std::vector<OrderedBody>& bodies,
+               const std::vector<Vec3>& centers) {
+  Packing packing;
+  packing.cell = cell;
+  packing.groups.resize(static_cast<std::size_t>(group_count(bodies)));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    packing.inclusions.push_back({centers[i], bodies[i].body, bodies[i].group});
+  }
+  return packing;
+}
+
+// Attempt after attempt; keeps the best.
+class Run {
+ public:
+  Run(const RelaxationOptions& options, RunContext run) : options_(options), run_(std::move(run)) {
+    result_.report.energy = std::numeric_limits<double>::infinity();
+  }
+
+  // Returns whether there may be another attempt.
+  bool attempt(const Packing& start, std::int64_t number) {
+    Attempt attempt(start, options_, number, run_.threads());
+    const RelaxationStop stop = attempt.run(run_);
+    attempt.count_into(result_.report);
+    result_.report.restarts = number;
+    result_.stop = stop;
+    result_.history = attempt.history();
+    const bool better = attempt.energy().value < result_.report.energy;
+    if (better || stop == RelaxationStop::target_reached) {
+      result_.report.energy = attempt.energy().value;
+      result_.report.deepest = attempt.energy().deepest;
+      result_.packing = attempt.packing();
+    }
+    return stop == RelaxationStop::stalled;
+  }
+
+  RelaxationResult result() { return std::move(result_); }
+
+ private:
+  const RelaxationOptions& options_;
+  RunContext run_;
+  RelaxationResult result_;
+};
+
+}  // namespace
+
+std::string_view name(RelaxationStop stop) noexcept {
+  switch (stop) {
+    case RelaxationStop::target_reached:
+      return "target_reached";
+    case RelaxationStop::stalled:
+      return "stalled";
+    case RelaxationStop::cancelled:
+      return "cancelled";
+    case RelaxationStop::out_of_time:
+      break;
+  }
+  return "out_of_time";
+}
+
+RelaxationResult relaxation_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                                 const RelaxationOptions& options, RunContext run,
+                                 const RelaxationStart& start) {
+  check_cell(cell);
+  check_options(cell, group_count(bodies), options);
+  check_bodies(cell, bodies, options);
+  Run runs(options, std::move(run));
+  for (std::int64_t number = 0; number <= options.max_restarts; ++number) {
+    const std::vector<Vec3> centers =
+        start ? start(number) : random_centers(cell, bodies.size(), options.seed, number);
+    if (!runs.attempt(placed(cell, bodies, centers), number)) break;
+  }
+  return runs.result();
+}
+
+RelaxationResult relax(const Packing& packing, const RelaxationOptions& options, RunContext run) {
+  check_well_formed(packing);
+  check_options(packing.cell, static_cast<int>(packing.groups.size()), options);
+  Run runs(options, std::move(run));
+  runs.attempt(packing, 0);
+  return runs.result();
+}
+
+}  // namespace packstone

@@ -1,0 +1,152 @@
+#include "generate/relaxation/attempt.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "generate/relaxation/relocation.hpp"
+
+namespace packstone::relaxation {
+
+Attempt::Attempt(const Packing& packing, const RelaxationOptions& options, std::int64_t number,
+                 int threads)
+    : shapes_(packing),
+      options_(options),
+      threads_(threads),
+      bodies_(bodies_of(packing, options)),
+      holds_(tensor_holds(bodies_, packing, options)),
+      overlap_(packing.cell, threads),
+      memory_(threads),
+      random_(options.seed, StreamId::relaxation_places, static_cast<std::uint64_t>(number)) {
+  best_energy_.value = std::numeric_limits<double>::infinity();
+  least_at_relocation_ = best_energy_.value;
+}
+
+Energy Attempt::evaluate(Motion& gradient) {
+  const Energy energy = overlap_(bodies_, gradient);
+  for (const TensorHold& hold : holds_) hold.project(bodies_, gradient);
+  return energy;
+}
+
+void Attempt::start_anew() {
+  memory_.clear();
+  energy_ = evaluate(gradient_);
+  reference_ = energy_.value;
+  idle_ = 0;
+  keep_best();
+}
+
+Motion Attempt::descent_direction() {
+  Motion direction = memory_.direction(gradient_);
+  for (const TensorHold& hold : holds_) hold.project(bodies_, direction);
+  return direction;
+}
+
+bool Attempt::try_step(const std::vector<PosedBody>& from, const Motion& direction, double length,
+                       Motion& gradient, Energy& energy) {
+  move(bodies_, from, direction, length);
+  for (const TensorHold& hold : holds_) {
+    if (!hold.restore(bodies_)) return false;
+  }
+  energy = evaluate(gradient);
+  return true;
+}
+
+// One step of the descent, as long as it lowers the energy (L. Armijo, Pacific J. Math. 16 (1966)
+// 1-3).
+Attempt::Outcome Attempt::step() {
+  constexpr double kDecrease = 1e-4;
+  constexpr int kMostHalvings = 12;
+  const Motion direction = descent_direction();
+  const double slope = inner_product(gradient_, direction, threads_);
+  double length = 1.0 / std::max(1.0, relative_step(bodies_, direction));
+  const std::vector<PosedBody> from = bodies_.posed;
+  Motion gradient;
+  Energy energy;
+  for (int halving = 0; slope < 0.0 && halving < kMostHalvings; ++halving, length *= 0.5) {
+    if (!try_step(from, direction, length, gradient, energy)) continue;
+    if (!(energy.value <= energy_.value + kDecrease * length * slope)) continue;
+    Motion moved(direction.size(), 0.0), change = gradient;
+    add_multiple(length, direction, moved, threads_);
+    add_multiple(-1.0, gradient_, change, threads_);
+    memory_.add(std::move(moved), std::move(change));
+    gradient_ = std::move(gradient);
+    energy_ = energy;
+    return Outcome::stepped;
+  }
+  bodies_.posed = from;
+  if (memory_.empty()) return Outcome::stuck;
+  memory_.clear();
+  energy_ = evaluate(gradient_);
+  idle_ += 10;
+  return Outcome::stepped;
+}
+
+void Attempt::keep_best() {
+  if (!(energy_.value < best_energy_.value) && !at_rest()) return;
+  best_energy_ = energy_;
+  best_ = bodies_.posed;
+}
+
+void Attempt::note() {
+  constexpr std::size_t kMostLines = 1000;
+  if (iterations_ % note_every_ != 0) return;
+  history_.push_back({iterations_, energy_.value, energy_.deepest, energy_.contacts});
+  if (history_.size() < kMostLines) return;
+  for (std::size_t k = 0; k < kMostLines / 2; ++k) history_[k] = history_[2 * k];
+  history_.resize(kMostLines / 2);
+  note_every_ *= 2;
+}
+
+// Where the energy does not fall any more: moves some bodies elsewhere. False: that has not helped.
+bool Attempt::move_on() {
+  if (best_energy_.value < 0.97 * least_at_relocation_) rounds_ = 0;
+  least_at_relocation_ = std::min(least_at_relocation_, best_energy_.value);
+  if (rounds_++ >= options_.max_relocations) return false;
+  evaluate(gradient_);
+  const std::int64_t moved =
+      relocate(bodies_, shapes_.cell, overlap_.pushes(), options_.relocated_share, random_);
+  relocated_ += moved;
+  if (moved == 0) return false;
+  start_anew();
+  return true;
+}
+
+RelaxationStop Attempt::run(RunContext& run) {
+  constexpr double kProgress = 0.97;
+  start_anew();
+  note();
+  while (!at_rest()) {
+    const StopRequest request = run.stop_request();
+    if (request == StopRequest::cancelled) return RelaxationStop::cancelled;
+    if (request == StopRequest::out_of_time) return RelaxationStop::out_of_time;
+    const Outcome outcome = step();
+    ++iterations_;
+    keep_best();
+    note();
+    if (energy_.value < kProgress * reference_) {
+      reference_ = energy_.value;
+      idle_ = 0;
+    } else {
+      ++idle_;
+    }
+    const bool idle = idle_ > options_.patience || outcome == Outcome::stuck;
+    if (idle && !at_rest() && !move_on()) return RelaxationStop::stalled;
+  }
+  return RelaxationStop::target_reached;
+}
+
+Packing Attempt::packing() const {
+  Bodies bodies = bodies_;
+  bodies.posed = best_;
+  return packing_of(bodies, shapes_);
+}
+
+void Attempt::count_into(RelaxationReport& report) const {
+  report.iterations += iterations_;
+  report.evaluations += overlap_.evaluations();
+  report.neighbor_searches += overlap_.searches();
+  report.relocated += relocated_;
+}
+
+}  // namespace packstone::relaxation

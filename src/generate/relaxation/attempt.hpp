@@ -1,0 +1,72 @@
+#pragma once
+
+/// @file
+/// One attempt: from a start to rest, or to where nothing helps.
+
+#include <optional>
+#include <vector>
+
+#include "generate/relaxation/bodies.hpp"
+#include "generate/relaxation/descent.hpp"
+#include "generate/relaxation/overlap_energy.hpp"
+#include "generate/relaxation/tensor_hold.hpp"
+#include "packstone/core/random.hpp"
+#include "packstone/core/run_context.hpp"
+
+namespace packstone::relaxation {
+
+/// Descends from the poses of `packing` on the energy of relaxation.hpp.
+class Attempt {
+ public:
+  Attempt(const Packing& packing, const RelaxationOptions& options, std::int64_t number,
+          int threads);
+
+  /// To the end, or until `run` asks to stop.
+  RelaxationStop run(RunContext& run);
+
+  /// Of the state with the least energy.
+  [[nodiscard]] Packing packing() const;
+  [[nodiscard]] const Energy& energy() const { return best_energy_; }
+  /// Adds what it has cost.
+  void count_into(RelaxationReport& report) const;
+  [[nodiscard]] std::vector<RelaxationSample> history() { return std::move(history_); }
+
+ private:
+  enum class Outcome { stepped, stuck };
+
+  Energy evaluate(Motion& gradient);
+  void start_anew();
+  Outcome step();
+  [[nodiscard]] Motion descent_direction();
+  bool try_step(const std::vector<PosedBody>& from, const Motion& direction, double length,
+                Motion& gradient, Energy& energy);
+  void keep_best();
+  void note();
+  bool move_on();
+  [[nodiscard]] bool at_rest() const { return !(energy_.most_left > 1.0); }
+
+  Packing shapes_;
+  const RelaxationOptions& options_;
+  int threads_;
+  Bodies bodies_;
+  std::vector<TensorHold> holds_;
+  OverlapEnergy overlap_;
+  CurvatureMemory memory_;
+  RandomStream random_;
+
+  Motion gradient_;
+  Energy energy_;
+  double reference_ = 0.0;  // Energy that progress is measured from.
+  int idle_ = 0;            // Steps without progress.
+  std::int64_t iterations_ = 0;
+  std::int64_t relocated_ = 0;
+  int rounds_ = 0;                    // Of relocation, without a new least energy.
+  double least_at_relocation_ = 0.0;  // Least energy when bodies were last relocated.
+
+  Energy best_energy_;
+  std::vector<PosedBody> best_;
+  std::vector<RelaxationSample> history_;
+  std::int64_t note_every_ = 1;
+};
+
+}  // namespace packstone::relaxation

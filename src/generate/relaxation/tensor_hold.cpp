@@ -1,0 +1,117 @@
+#include "generate/relaxation/tensor_hold.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "packstone/core/symmetric_eigen.hpp"
+#include "structure/tensor_turns.hpp"
+
+namespace packstone::relaxation {
+namespace {
+
+SymMat3 mean_dyad(const Bodies& bodies, const std::vector<std::size_t>& members) {
+  SymMat3 sum{};
+  for (const std::size_t i : members) sum = sum + dyad(bodies.posed[i].pose.axis);
+  return (1.0 / static_cast<double>(members.size())) * sum;
+}
+
+// The axis of a body becomes `axis`, which is near; a second axis keeps across it.
+void set_axis(PosedBody& body, const Vec3& axis) {
+  body.pose.axis = axis;
+  if (body.form != Form::scalene) return;
+  body.pose.second = normalized(body.pose.second - dot(body.pose.second, axis) * axis);
+}
+
+void lock(Bodies& bodies, const std::vector<std::size_t>& members) {
+  for (const std::size_t i : members) bodies.turning[i].slot = -1;
+}
+
+// Gives those that still turn the numbers from 0 on.
+void renumber(Bodies& bodies) {
+  bodies.turning_count = 0;
+  for (Turning& turning : bodies.turning) {
+    if (turning.slot >= 0) turning.slot = bodies.turning_count++;
+  }
+}
+
+// Bodies with an axis that turn, of one group.
+std::vector<std::size_t> members_of(const Bodies& bodies, const Packing& packing, int group) {
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (packing.inclusions[i].group == group && bodies.turning[i].slot >= 0) members.push_back(i);
+  }
+  return members;
+}
+
+}  // namespace
+
+void TensorHold::project(const Bodies& bodies, Motion& motion) const {
+  Mat6 products{};
+  Vec6 along{};
+  for (const std::size_t i : members_) {
+    const Vec3& u = bodies.posed[i].pose.axis;
+    const double per_arm = 1.0 / bodies.turning[i].arm;
+    const auto turns = basis_turns(u);
+    const Vec3 turned = cross(vec_at(motion, bodies.turn_at(i)), u);
+    for (std::size_t a = 0; a < 6; ++a) along[a] += per_arm * dot(turns[a], turned);
+    add_products(turns, per_arm * per_arm, products);
+  }
+  const SymMat3 map = from_components(solve(made_definite(products), along));
+  for (const std::size_t i : members_) {
+    const Vec3& u = bodies.posed[i].pose.axis;
+    add_at(motion, bodies.turn_at(i), (-1.0 / bodies.turning[i].arm) * cross(u, map * u));
+  }
+}
+
+bool TensorHold::restore(Bodies& bodies) const {
+  constexpr int kMostRounds = 8;
+  constexpr double kMet = 1e-14, kGoodEnough = 1e-12;
+  double error = 0.0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Vec6 missing = components(tensor_ - mean_dyad(bodies, members_));
+    error = 0.0;
+    for (const double m : missing) error = std::max(error, std::abs(m));
+    if (error <= kMet) return true;
+    if (!(error < 0.3)) return false;
+    Mat6 products{};
+    const double weight = 2.0 / static_cast<double>(members_.size());
+    for (const std::size_t i : members_) {
+      add_products(basis_turns(bodies.posed[i].pose.axis), weight, products);
+    }
+    const SymMat3 map = from_components(solve(made_definite(products), missing));
+    for (const std::size_t i : members_) {
+      const Vec3& u = bodies.posed[i].pose.axis;
+      set_axis(bodies.posed[i], normalized(u + map * u));
+    }
+  }
+  return error <= kGoodEnough;
+}
+
+std::vector<TensorHold> tensor_holds(Bodies& bodies, const Packing& packing,
+                                     const RelaxationOptions& options) {
+  constexpr double kNone = 1e-9;  // Of an eigenvalue.
+  std::vector<TensorHold> holds;
+  const bool plane = packing.cell.dimension == 2;
+  const std::size_t fewest = plane ? 3 : 4;
+  for (int group = 0; group < static_cast<int>(packing.groups.size()); ++group) {
+    const auto g = static_cast<std::size_t>(group);
+    if (!options.turn.empty() && options.turn[g] != RelaxationTurn::hold_tensor) continue;
+    std::vector<std::size_t> members = members_of(bodies, packing, group);
+    if (members.empty()) continue;
+    const SymMat3 tensor = mean_dyad(bodies, members);
+    const SymmetricEigen eigen = symmetric_eigen(tensor);
+    if (members.size() < fewest || eigen.values.y < kNone) {
+      lock(bodies, members);
+      continue;
+    }
+    if (!plane && eigen.values.z < kNone) {
+      for (const std::size_t i : members) bodies.turning[i].about = eigen.vectors.col_z;
+    }
+    holds.emplace_back(std::move(members), tensor);
+  }
+  renumber(bodies);
+  return holds;
+}
+
+}  // namespace packstone::relaxation
