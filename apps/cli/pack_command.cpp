@@ -128,26 +128,32 @@ void print_outcome(const PackOutcome& outcome, const PackArguments& arguments,
 
 // Methods that move nothing have neither.
 void say_what_is_not_there(const PackOutcome& outcome, const PackArguments& arguments) {
-  if (outcome.motion) return;
-  for (const auto& [option, file] : {std::pair("--timeline", &arguments.timeline),
-                                     std::pair("--checkpoint", &arguments.checkpoint)}) {
-    if (file->empty()) continue;
-    fmt::print(stderr, "packstone: {} {}: not written; the method {} moves nothing\n", option,
-               *file, outcome.method);
-  }
+  const auto say = [&](const char* option, const std::string& file, bool there,
+                       const char* reason) {
+    if (there || file.empty()) return;
+    fmt::print(stderr, "packstone: {} {}: not written; the method {} {}\n", option, file,
+               outcome.method, reason);
+  };
+  say("--timeline", arguments.timeline, outcome.motion || outcome.relaxation, "moves nothing");
+  say("--checkpoint", arguments.checkpoint, outcome.motion.has_value(),
+      outcome.relaxation ? "keeps none" : "moves nothing");
 }
 
 void write_files(const PackOutcome& outcome, const PackArguments& arguments,
                  const std::filesystem::path& output) {
   write_packing(output, outcome.packing);
-  if (outcome.motion && !arguments.timeline.empty()) {
-    write_atomically(arguments.timeline, timeline_csv(outcome.motion->history));
+  if (arguments.timeline.empty()) return;
+  if (outcome.motion) write_atomically(arguments.timeline, timeline_csv(outcome.motion->history));
+  if (outcome.relaxation) {
+    write_atomically(arguments.timeline, timeline_csv(outcome.relaxation->history));
   }
 }
 
 void print_shortfall(const PackOutcome& outcome, const PackArguments& arguments,
                      const std::string& output) {
-  fmt::print(stderr, "packstone: {}\n  the best valid packing is in {}\n", shortfall_text(outcome),
+  const bool valid = outcome.packing.certificate->passed();
+  fmt::print(stderr, "packstone: {}\n  {} is in {}\n", shortfall_text(outcome),
+             valid ? "the best valid packing" : "the state that overlaps least, not valid,",
              output);
   const bool halted = outcome.stop == "cancelled" || outcome.stop == "out_of_time";
   if (!halted || !outcome.motion || arguments.checkpoint.empty()) return;

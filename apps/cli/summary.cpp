@@ -82,7 +82,7 @@ std::string changes_text(const GroupOutcome& group) {
   std::string text = group.redrawn
                          ? "    orientations were redrawn with the trials, which favors those that "
                            "fit:\n"
-                         : "    orientations were changed by the collisions:\n";
+                         : "    orientations were changed:\n";
   if (group.ordered_tensor) {
     text += "      <uu> as drawn  " + tensor_text(*group.ordered_tensor) + "\n";
   }
@@ -110,6 +110,7 @@ std::string stop_words(const std::string& stop) {
   if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
   if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
   if (stop == "stagnated") return "stagnated by the published criterion";
+  if (stop == "stalled") return "no attempt came to rest without overlaps";
   if (stop == "cancelled") return "interrupted";
   if (stop == "out_of_time") return "the time limit passed";
   if (stop == "check_failed") return "the independent check did not pass";
@@ -133,12 +134,30 @@ Json motion_json(const std::optional<MotionOutcome>& motion) {
           {"growth_rate", report.growth_rate}};
 }
 
+Json relaxation_json(const std::optional<RelaxationOutcome>& relaxation) {
+  if (!relaxation) return nullptr;
+  const RelaxationReport& report = relaxation->report;
+  return {{"iterations", report.iterations},
+          {"evaluations", report.evaluations},
+          {"neighbor_searches", report.neighbor_searches},
+          {"relocated", report.relocated},
+          {"energy", finite_or_null(report.energy)},
+          {"deepest", report.deepest}};
+}
+
+std::string relaxation_text(const RelaxationReport& report) {
+  std::string text = fmt::format("{} steps, {} restarts", report.iterations, report.restarts);
+  if (report.relocated > 0) text += fmt::format(", {} moved elsewhere", report.relocated);
+  return text;
+}
+
 std::string sizes_text(const MotionOutcome& motion) {
   return fmt::format("sizes are {:.6g} of those ordered", motion.size_factor);
 }
 
 // What the method did: positions tried, or collisions.
 std::string work_text(const PackOutcome& outcome) {
+  if (outcome.relaxation) return relaxation_text(outcome.relaxation->report);
   if (!outcome.motion) {
     return fmt::format("{} trials, {} restarts", outcome.trials, outcome.restarts);
   }
@@ -210,6 +229,7 @@ Json outcome_json(const PackOutcome& outcome) {
             {"trials", outcome.trials},
             {"restarts", outcome.restarts},
             {"motion", motion_json(outcome.motion)},
+            {"relaxation", relaxation_json(outcome.relaxation)},
             {"groups", groups},
             {"derived", outcome.derived}};
   text["certificate"] = certificate_json(*outcome.packing.certificate);
@@ -288,6 +308,10 @@ std::string shortfall_text(const PackOutcome& outcome) {
     text +=
         "\n  slower growth packs denser (packing.event-driven.growth_rate), as may another --seed; "
         "or order a smaller fraction";
+  } else if (outcome.stop == "stalled") {
+    text +=
+        "\n  method = \"event-driven\" packs denser; or try another --seed, more restarts "
+        "(packing.relaxation.max_restarts), or a smaller fraction";
   } else if (outcome.stop == "out_of_time") {
     text += "\n  allow more time (--time-limit), try another --seed, or order a smaller fraction";
   }

@@ -18,4 +18,13 @@ std::string timeline_csv(const std::vector<EventDrivenSample>& history) {
   return text;
 }
 
+std::string timeline_csv(const std::vector<RelaxationSample>& history) {
+  std::string text = "iteration [-],energy [L^2],deepest [L],contacts [-]\n";
+  for (const RelaxationSample& s : history) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", s.iteration, s.energy, s.deepest,
+                   s.contacts);
+  }
+  return text;
+}
+
 }  // namespace packstone::cli

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <variant>
 
 #include "packstone/core/overloaded.hpp"
 #include "packstone/geometry/bounds.hpp"
@@ -83,13 +85,24 @@ std::vector<Body> in_order(const std::vector<OrderedBody>& bodies, RsaOrder orde
   return sorted;
 }
 
-void refuse_open_count(const InclusionMix& mix) {
+void refuse_open_count(const InclusionMix& mix, PackMethod method) {
   const auto open = std::find(mix.open_count.begin(), mix.open_count.end(), true);
   if (open == mix.open_count.end()) return;
-  throw InvalidGroup("", static_cast<int>(open - mix.open_count.begin()), GroupField::size, "",
-                     "a size alone leaves the count open, and event-driven dynamics moves a number "
-                     "of inclusions that is known; give a count or a fraction too, or order "
-                     "method = \"rsa\" and goal = \"target\"");
+  throw InvalidGroup(
+      "", static_cast<int>(open - mix.open_count.begin()), GroupField::size, "",
+      "a size alone leaves the count open, and " + std::string(name(method)) +
+          " moves a number of inclusions that is known; give a count or a fraction too, or order "
+          "method = \"rsa\" and goal = \"target\"");
+}
+
+// Up to this crowding relaxations of all shapes tried came to rest at the first attempt.
+constexpr double kRelaxedCrowding = 3.2;
+
+// Collisions may turn all bodies that have an axis.
+bool all_turn_freely(const Recipe& recipe) {
+  return std::all_of(recipe.groups.begin(), recipe.groups.end(), [](const InclusionGroup& group) {
+    return is_round(group.shape) || std::holds_alternative<RandomOrientation>(group.orientation);
+  });
 }
 
 MethodChoice automatic_choice(const Recipe& recipe, const InclusionMix& mix) {
@@ -99,10 +112,15 @@ MethodChoice automatic_choice(const Recipe& recipe, const InclusionMix& mix) {
   if (std::find(mix.open_count.begin(), mix.open_count.end(), true) != mix.open_count.end()) {
     return {PackMethod::rsa, "auto: it fills the cell"};
   }
-  if (crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order) <= 1.0) {
-    return {PackMethod::rsa, "auto: it surely places them all"};
+  const double crowded = crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order);
+  if (crowded <= 1.0) return {PackMethod::rsa, "auto: it surely places them all"};
+  if (crowded <= kRelaxedCrowding) {
+    return {PackMethod::relaxation, "auto: denser than rsa surely reaches"};
   }
-  return {PackMethod::event_driven, "auto: denser than rsa surely reaches"};
+  if (!all_turn_freely(recipe)) {
+    return {PackMethod::relaxation, "auto: dense, and it keeps the orientations ordered"};
+  }
+  return {PackMethod::event_driven, "auto: denser than a relaxation surely reaches"};
 }
 
 }  // namespace
@@ -111,7 +129,7 @@ MethodChoice choose_method(const Recipe& recipe, const InclusionMix& mix) {
   MethodChoice choice = recipe.method == PackMethod::automatic
                             ? automatic_choice(recipe, mix)
                             : MethodChoice{recipe.method, "as ordered"};
-  if (choice.method == PackMethod::event_driven) refuse_open_count(mix);
+  if (choice.method != PackMethod::rsa) refuse_open_count(mix, choice.method);
   return choice;
 }
 

@@ -60,8 +60,8 @@ void refuse_unplaceable(const Recipe& recipe, const InclusionMix& mix,
   check_room(recipe.cell, mix.bodies, 0.0);
 }
 
-// Bodies that collisions turn may come to lie along any axis; of what meets too many images of
-// itself there the dynamics would see no end.
+// Bodies that are turned may come to lie along any axis; of what meets too many images of itself
+// there no method would see an end.
 void refuse_too_long(const Recipe& recipe, const InclusionMix& mix,
                      const std::vector<bool>& turned) {
   std::vector<std::int64_t> count(recipe.groups.size());  // of the bodies of each group so far
@@ -146,7 +146,10 @@ std::vector<bool> fixed_orientations(const Recipe& recipe) {
 
 std::vector<bool> turned_groups(const Recipe& recipe, PackMethod method) {
   if (method == PackMethod::rsa) return redrawn_groups(recipe);
-  const std::vector<bool> fixed = fixed_orientations(recipe);
+  std::vector<bool> fixed;
+  if (method == PackMethod::event_driven) fixed = fixed_orientations(recipe);
+  const bool locked = recipe.relaxation.rotate == RelaxationTurn::locked;
+  if (method == PackMethod::relaxation && locked) fixed.assign(recipe.groups.size(), true);
   std::vector<bool> turned;
   for (std::size_t g = 0; g < recipe.groups.size(); ++g) {
     turned.push_back(!is_round(recipe.groups[g].shape) && (fixed.empty() || !fixed[g]));
@@ -168,7 +171,7 @@ void refuse_impossible(const Recipe& recipe, const InclusionMix& mix, PackMethod
     const std::vector<bool> turned = turned_groups(recipe, method);
     refuse_unplaceable(recipe, mix, turned);
     refuse_too_many_to_fill(recipe);
-    if (method == PackMethod::event_driven) refuse_too_long(recipe, mix, turned);
+    if (method != PackMethod::rsa) refuse_too_long(recipe, mix, turned);
   });
   refuse_too_large_gap(recipe, mix.bodies);
 }

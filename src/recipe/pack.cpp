@@ -13,6 +13,7 @@
 #include "recipe/choose_method.hpp"
 #include "recipe/draw_mix.hpp"
 #include "recipe/run_event_driven.hpp"
+#include "recipe/run_relaxation.hpp"
 #include "recipe/run_rsa.hpp"
 
 namespace packstone {
@@ -25,6 +26,8 @@ void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) 
   const RunContext whole = RunContext{}.threads(run.threads());
   outcome.packing.certificate = check_packing(outcome.packing, {.min_gap = recipe.min_gap}, whole);
   if (outcome.packing.certificate->passed()) return;
+  // Of a relaxation that has not come to its end the certificate says what still overlaps.
+  if (outcome.relaxation && !outcome.target_reached) return;
   outcome.target_reached = false;
   outcome.stop = "check_failed";
 }
@@ -74,9 +77,11 @@ class Run {
     choice_ = recipe::for_recipe(recipe_, [&] { return recipe::choose_method(recipe_, mix_); });
     recipe::refuse_impossible(recipe_, mix_, choice_.method);
     return recipe::for_recipe(recipe_, [&] {
-      return choice_.method == PackMethod::rsa
-                 ? recipe::run_rsa(recipe_, mix_, run_)
-                 : recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
+      if (choice_.method == PackMethod::rsa) return recipe::run_rsa(recipe_, mix_, run_);
+      if (choice_.method == PackMethod::relaxation) {
+        return recipe::run_relaxation(recipe_, mix_, run_);
+      }
+      return recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
     });
   }
 

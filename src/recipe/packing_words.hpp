@@ -17,7 +17,8 @@ using Words = std::vector<std::pair<std::string_view, T>>;
 
 inline const Words<PackMethod> kMethods{{"auto", PackMethod::automatic},
                                         {"rsa", PackMethod::rsa},
-                                        {"event-driven", PackMethod::event_driven}};
+                                        {"event-driven", PackMethod::event_driven},
+                                        {"relaxation", PackMethod::relaxation}};
 
 inline const Words<RsaOrder> kRsaOrders{{"largest-first", RsaOrder::largest_first},
                                         {"group", RsaOrder::as_given},
@@ -29,6 +30,13 @@ inline const Words<EventDrivenGoal> kGoals{{"target", EventDrivenGoal::target},
 
 inline const Words<GrowthStart> kGrowthStarts{{"points", GrowthStart::points},
                                               {"rsa", GrowthStart::rsa}};
+
+inline const Words<RelaxationTurn> kRelaxationTurns{{"hold-tensor", RelaxationTurn::hold_tensor},
+                                                    {"free", RelaxationTurn::free},
+                                                    {"locked", RelaxationTurn::locked}};
+
+inline const Words<RelaxationFrom> kRelaxationStarts{{"rsa", RelaxationFrom::rsa},
+                                                     {"random", RelaxationFrom::random}};
 
 /// The word for `value`, which is one of the list.
 template <class T>

@@ -92,14 +92,35 @@ void read_event_driven(const TableView& packing, EventDrivenSettings& settings,
   }
 }
 
+void read_relaxation(const TableView& packing, RelaxationSettings& settings,
+                     Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "relaxation", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.relaxation",
+                        {"rotate", "inflation", "patience", "relocated_share", "max_relocations",
+                         "max_restarts", "start", "start_fraction"},
+                        complaints);
+  const Range share{.text = "a number >= 0 and <= 1", .lo = 0.0, .hi = 1.0};
+  read_into(table["rotate"], kRelaxationTurns, settings.rotate, complaints);
+  read_into(table["inflation"], positive_up_to(0.1, "0.1"), settings.inflation, complaints);
+  read_into(table["patience"], 1, settings.patience, complaints);
+  read_into(table["relocated_share"], share, settings.relocated_share, complaints);
+  read_into(table["max_relocations"], 0, settings.max_relocations, complaints);
+  read_into(table["max_restarts"], 0, settings.max_restarts, complaints);
+  read_into(table["start"], kRelaxationStarts, settings.start, complaints);
+  if (const Entry fraction = table["start_fraction"]) {
+    settings.start_fraction = read_number(fraction, fraction_number(), complaints);
+  }
+}
+
 }  // namespace
 
 void read_packing_table(const TableView& root, Recipe& order, Complaints& complaints) {
   const toml::table* const node = read_table(root, "packing", complaints);
   if (node == nullptr) return;
-  const TableView table(*node, "packing",
-                        {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven"},
-                        complaints);
+  const TableView table(
+      *node, "packing",
+      {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven", "relaxation"}, complaints);
   read_into(table["method"], kMethods, order.method, complaints);
   if (const Entry gap = table["min_gap"]) {
     read_into(gap, not_negative_number(), order.min_gap, complaints);
@@ -111,6 +132,7 @@ void read_packing_table(const TableView& root, Recipe& order, Complaints& compla
   if (const Entry limit = table["time_limit"]) order.time_limit = read_time(limit, complaints);
   read_rsa(table, order.rsa, complaints);
   read_event_driven(table, order.event_driven, complaints);
+  read_relaxation(table, order.relaxation, complaints);
 }
 
 }  // namespace packstone::recipe

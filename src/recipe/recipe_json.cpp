@@ -172,6 +172,18 @@ Json event_driven_json(const EventDrivenSettings& settings) {
   return text;
 }
 
+Json relaxation_json(const RelaxationSettings& settings) {
+  Json text{{"rotate", word_for(recipe::kRelaxationTurns, settings.rotate)},
+            {"inflation", settings.inflation},
+            {"patience", settings.patience},
+            {"relocated_share", settings.relocated_share},
+            {"max_relocations", settings.max_relocations},
+            {"max_restarts", settings.max_restarts},
+            {"start", word_for(recipe::kRelaxationStarts, settings.start)}};
+  if (settings.start_fraction) text["start_fraction"] = *settings.start_fraction;
+  return text;
+}
+
 Json packing_json(const Recipe& recipe) {
   Json text{{"method", std::string(name(recipe.method))},
             {"min_gap", recipe.min_gap},
@@ -179,6 +191,7 @@ Json packing_json(const Recipe& recipe) {
   if (recipe.time_limit) text["time_limit"] = *recipe.time_limit;
   text["rsa"] = rsa_json(recipe.rsa);
   text["event-driven"] = event_driven_json(recipe.event_driven);
+  text["relaxation"] = relaxation_json(recipe.relaxation);
   return text;
 }
 

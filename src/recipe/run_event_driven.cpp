@@ -9,18 +9,15 @@
 #include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
-#include "recipe/choose_method.hpp"
 #include "recipe/compare_groups.hpp"
 #include "recipe/draw_mix.hpp"
-#include "recipe/run_rsa.hpp"
+#include "recipe/rsa_start.hpp"
 
 namespace packstone::recipe {
 namespace {
 
-// The fraction from which bodies grow after random sequential adsorption, unless ordered; and how
-// far below what that surely reaches it stays, so that a start takes little of the time.
+// The fraction from which bodies grow after random sequential adsorption, unless ordered.
 constexpr double kStartFraction = 0.2;
-constexpr double kEasyCrowding = 2.0 / 3.0;
 
 EventDrivenOptions options_of(const Recipe& recipe) {
   const EventDrivenSettings& settings = recipe.event_driven;
@@ -71,33 +68,6 @@ PackOutcome run_from_points(const Recipe& recipe, const InclusionMix& mix, const
       checkpointing);
 }
 
-double fraction_of(const Cell& cell, const std::vector<OrderedBody>& bodies) {
-  double sum = 0.0;
-  for (const OrderedBody& b : bodies) sum += volume(b.body);
-  return sum / volume(cell);
-}
-
-std::vector<OrderedBody> scaled_bodies(std::vector<OrderedBody> bodies, double factor) {
-  for (OrderedBody& b : bodies) b.body = scaled(b.body, factor);
-  return bodies;
-}
-
-// The size factor at which random sequential adsorption is to place the bodies.
-double start_factor(const Recipe& recipe, const std::vector<OrderedBody>& bodies) {
-  const double ordered = fraction_of(recipe.cell, bodies);
-  const auto factor_at = [&](double fraction) {
-    return std::min(1.0, std::pow(fraction / ordered, 1.0 / recipe.cell.dimension));
-  };
-  if (const auto& fraction = recipe.event_driven.start_fraction) return factor_at(*fraction);
-  double factor = factor_at(kStartFraction);
-  // Gaps do not shrink with the bodies: below some size nothing is won.
-  for (int k = 0; k < 20; ++k, factor *= 0.9) {
-    const std::vector<OrderedBody> smaller = scaled_bodies(bodies, factor);
-    if (crowding(recipe.cell, smaller, recipe.min_gap, recipe.rsa.order) <= kEasyCrowding) break;
-  }
-  return factor;
-}
-
 // Bodies of full size in place of the smaller ones that stand.
 MovingPacking at_rest(const Recipe& recipe, const Packing& placed,
                       const std::vector<OrderedBody>& bodies, double factor) {
@@ -124,10 +94,9 @@ std::string start_sentence(const RsaResult& placed, const Cell& cell) {
 
 PackOutcome run_from_rsa(const Recipe& recipe, const InclusionMix& mix, const RunContext& run,
                          const Checkpointing& checkpointing) {
-  const double factor = start_factor(recipe, mix.bodies);
-  RsaOptions options = rsa_options(recipe);
-  options.redraw_orientation.clear();
-  RsaResult placed = rsa_pack(recipe.cell, scaled_bodies(mix.bodies, factor), options, run);
+  const double factor =
+      start_factor(recipe, mix.bodies, recipe.event_driven.start_fraction, kStartFraction);
+  RsaResult placed = place_smaller(recipe, mix.bodies, factor, recipe.seed, run);
   PackOutcome outcome;
   if (placed.stop == RsaStop::target_reached) {
     outcome = finished(recipe, mix,

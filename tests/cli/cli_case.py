@@ -46,6 +46,8 @@ name = "disks"
 shape = "disk"
 count = 60
 fraction = 0.6
+[packing]
+method = "event-driven"
 """
 
 OVERLAPPING = {

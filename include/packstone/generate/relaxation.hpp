@@ -37,13 +37,13 @@ struct RelaxationOptions {
 
   /// Steps that lower the energy by less than 3 % before some of those that overlap most are moved
   /// elsewhere [-]. >= 1.
-  int patience = 60;
+  std::int64_t patience = 60;
 
   /// Share of the bodies that are then moved, at most [-]. In [0, 1]; 0: none, the attempt ends.
   double relocated_share = 0.02;
 
   /// Rounds of such moves without a new least energy after which an attempt ends [-]. >= 0.
-  int max_relocations = 30;
+  std::int64_t max_relocations = 30;
 
   /// Further attempts, from other starts [-]. >= 0. relax() makes one attempt.
   std::int64_t max_restarts = 1000;

@@ -11,6 +11,7 @@
 #include "packstone/core/mat.hpp"
 #include "packstone/core/run_context.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/relaxation.hpp"
 #include "packstone/recipe/recipe.hpp"
 #include "packstone/structure/moving_packing.hpp"
 #include "packstone/structure/orientation_order.hpp"
@@ -27,7 +28,8 @@ struct GroupOutcome {
   double fraction = 0.0;  ///< Of the inclusions as large as they are, see MotionOutcome [-].
   /// true: orientations were redrawn with the trials, which favors those that fit.
   bool redrawn = false;
-  /// true: inclusions were turned by collisions, so their orientations are not those drawn.
+  /// true: inclusions were turned by collisions or a relaxation, so their orientations are not
+  /// those drawn.
   bool turned = false;
   /// Sample mean of u u^T over the symmetry axes u as they were drawn, and over those that stand
   /// [-]. Absent for spheres and disks; the ordered one also where the count is open.
@@ -47,13 +49,19 @@ struct MotionOutcome {
   std::vector<EventDrivenSample> history;  ///< Since the start, or since the checkpoint.
 };
 
+/// What a relaxation has to tell.
+struct RelaxationOutcome {
+  RelaxationReport report;
+  std::vector<RelaxationSample> history;  ///< Of the last attempt.
+};
+
 /// What pack() made, beside what was ordered.
 struct PackOutcome {
   Packing packing;  ///< With certificate and provenance.
   /// Everything ordered stands in the size ordered, and the certificate is clean. The goal
   /// "densest" orders no size: it is reached when they jam, and by a time limit as well.
   bool target_reached = false;
-  std::string method;         ///< "rsa", "event-driven".
+  std::string method;         ///< "rsa", "event-driven", "relaxation".
   std::string method_reason;  ///< Why this method, for people.
   std::string stop;           ///< Why it stopped: "target_reached", "saturated", "jammed", ...
   std::vector<GroupOutcome> groups;
@@ -65,15 +73,18 @@ struct PackOutcome {
   double seconds = 0.0;
   std::int64_t trials = 0;              ///< Positions tried, by methods that place inclusions.
   std::int64_t restarts = 0;            ///< Fresh starts.
-  std::optional<MotionOutcome> motion;  ///< Of methods that move inclusions.
+  std::optional<MotionOutcome> motion;  ///< Of methods that move inclusions and let them grow.
+  std::optional<RelaxationOutcome> relaxation;  ///< Of relaxations.
 };
 
 /// Makes the packing that `recipe` orders and checks it, independently of how it was made.
 ///
-/// A cancelled run and one that is out of time end with the best valid packing. The time limit of
-/// the recipe and the deadline of `run` both hold. A certificate that did not pass makes
-/// target_reached false and stop "check_failed": such a packing is a defect of this library and
-/// must not be used.
+/// A cancelled run and one that is out of time end with the best valid packing; a relaxation, whose
+/// inclusions have their full size from the start, with the state that overlaps least, and with the
+/// certificate that says so. The time limit of
+/// the recipe and the deadline of `run` both hold. Any other
+/// certificate that did not pass makes target_reached false and stop "check_failed": such a packing
+/// is a defect of this library and must not be used.
 ///
 /// Errors:  throws InvalidArgument, before any work, when the recipe is not well formed or cannot
 ///          be met: an inclusion larger than the cell allows, bodies that with their gaps need

@@ -15,6 +15,7 @@
 
 #include "packstone/core/cell.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/relaxation.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
 #include "packstone/structure/packing.hpp"
@@ -26,9 +27,10 @@ enum class PackMethod {
   automatic,     ///< pack() chooses and says which and why.
   rsa,           ///< Random sequential adsorption, rsa.hpp.
   event_driven,  ///< Molecular dynamics of bodies that collide and grow, event_driven.hpp.
+  relaxation,    ///< Bodies that overlap push each other apart, relaxation.hpp.
 };
 
-/// "auto", "rsa", "event-driven": the word used in recipes.
+/// "auto", "rsa", "event-driven", "relaxation": the word used in recipes.
 [[nodiscard]] std::string_view name(PackMethod method) noexcept;
 
 /// `[packing.rsa]`: the fields of RsaOptions that a recipe may set.
@@ -69,6 +71,27 @@ struct EventDrivenSettings {
   std::optional<double> start_fraction;
 };
 
+/// Where the bodies of a relaxation are first.
+enum class RelaxationFrom {
+  rsa,     ///< Where random sequential adsorption has placed them at a smaller size.
+  random,  ///< Anywhere.
+};
+
+/// `[packing.relaxation]`: the fields of RelaxationOptions that a recipe may set, and where the
+/// bodies start.
+struct RelaxationSettings {
+  RelaxationTurn rotate = RelaxationTurn::hold_tensor;                 ///< Of all groups.
+  double inflation = RelaxationOptions{}.inflation;                    ///< In (0, 0.1].
+  std::int64_t patience = RelaxationOptions{}.patience;                ///< >= 1.
+  double relocated_share = RelaxationOptions{}.relocated_share;        ///< In [0, 1].
+  std::int64_t max_relocations = RelaxationOptions{}.max_relocations;  ///< >= 0.
+  std::int64_t max_restarts = RelaxationOptions{}.max_restarts;        ///< >= 0.
+  RelaxationFrom start = RelaxationFrom::rsa;
+  /// start = rsa: the volume fraction of the bodies placed first [-], in (0, 1). Absent: what
+  /// random sequential adsorption surely reaches.
+  std::optional<double> start_fraction;
+};
+
 /// Everything that a packing is made from. The same recipe and seed give the same packing.
 struct Recipe {
   std::string origin;  ///< The file it was read from; stands in messages. May be empty.
@@ -80,6 +103,7 @@ struct Recipe {
   std::optional<double> time_limit;  ///< Then keep what is valid [s]. > 0; absent: none.
   RsaSettings rsa;
   EventDrivenSettings event_driven;
+  RelaxationSettings relaxation;
   /// Where what was ordered stands, for messages: by key ("inclusions[0].count", "packing.min_gap")
   /// the words "fibers.toml:7: inclusions[0].count = 20". The size of a group stands under
   /// "inclusions[0].size", whichever key gives it. Empty for a recipe that was not read.

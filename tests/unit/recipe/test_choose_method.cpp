@@ -84,16 +84,22 @@ TEST_CASE("walls leave less room") {
         1.5 * crowding_of(layer, "[2, 2, 0.3]"));
 }
 
-TEST_CASE("auto takes rsa where it surely places all, and dynamics beyond") {
+TEST_CASE("auto takes rsa where it surely places all, then relaxation, then dynamics") {
   CHECK(choice_for(kBalls + "0.29\n").method == PackMethod::rsa);
   CHECK_THAT(choice_for(kBalls + "0.29\n").reason, Catch::Contains("surely"));
-  CHECK(choice_for(kBalls + "0.4\n").method == PackMethod::event_driven);
+  CHECK(choice_for(kBalls + "0.4\n").method == PackMethod::relaxation);
   CHECK_THAT(choice_for(kBalls + "0.4\n").reason, Catch::Contains("denser than rsa"));
-  CHECK(choice_for(kDisks + "0.5\n", "[1, 1]").method == PackMethod::event_driven);
-  const std::string rods =
-      "[[inclusions]]\nshape = \"cylinder\"\ncount = 200\naspect = 10\nfraction = ";
-  CHECK(choice_for(rods + "0.1\n").method == PackMethod::rsa);
-  CHECK(choice_for(rods + "0.2\n").method == PackMethod::event_driven);
+  CHECK(choice_for(kBalls + "0.6\n").method == PackMethod::event_driven);
+  CHECK_THAT(choice_for(kBalls + "0.6\n").reason, Catch::Contains("denser than a relaxation"));
+  CHECK(choice_for(kDisks + "0.5\n", "[1, 1]").method == PackMethod::relaxation);
+  CHECK(choice_for(kDisks + "0.8\n", "[1, 1]").method == PackMethod::event_driven);
+  const std::string rods = "[[inclusions]]\nshape = \"cylinder\"\ncount = 200\naspect = 10\n";
+  CHECK(choice_for(rods + "fraction = 0.1\n").method == PackMethod::rsa);
+  CHECK(choice_for(rods + "fraction = 0.2\n").method == PackMethod::relaxation);
+  CHECK(choice_for(rods + "fraction = 0.4\n").method == PackMethod::event_driven);
+  // Dynamics would have to lock them.
+  const std::string planar = "orientation = { planar = \"xy\" }\n";
+  CHECK(choice_for(rods + planar + "fraction = 0.4\n").method == PackMethod::relaxation);
 }
 
 TEST_CASE("an order is followed, and a goal beyond the target asks for dynamics") {
@@ -110,6 +116,7 @@ TEST_CASE("an open count is filled by rsa, and refused where bodies are to move"
   const std::string open = "[[inclusions]]\nshape = \"sphere\"\nradius = 0.05\n";
   CHECK(choice_for(open).method == PackMethod::rsa);
   for (const std::string& motion : {std::string("[packing]\nmethod = \"event-driven\"\n"),
+                                    std::string("[packing]\nmethod = \"relaxation\"\n"),
                                     std::string("[packing.event-driven]\ngoal = \"densest\"\n")}) {
     CHECK_THROWS_AS(choice_for(open + motion), InvalidGroup);
     CHECK_THROWS_WITH(choice_for(open + motion), Catch::Contains("leaves the count open"));

@@ -1,0 +1,74 @@
+#include "recipe/run_relaxation.hpp"
+
+#include <string>
+#include <utility>
+
+#include "recipe/compare_groups.hpp"
+#include "recipe/draw_mix.hpp"
+#include "recipe/rsa_start.hpp"
+
+namespace packstone::recipe {
+namespace {
+
+RelaxationOptions options_of(const Recipe& recipe) {
+  const RelaxationSettings& settings = recipe.relaxation;
+  RelaxationOptions options;
+  options.min_gap = recipe.min_gap;
+  options.inflation = settings.inflation;
+  options.turn.assign(recipe.groups.size(), settings.rotate);
+  options.patience = settings.patience;
+  options.relocated_share = settings.relocated_share;
+  options.max_relocations = settings.max_relocations;
+  options.max_restarts = settings.max_restarts;
+  options.seed = recipe.seed;
+  return options;
+}
+
+// Centers from random sequential adsorption, attempt by attempt with other seeds. Of bodies that it
+// did not place, for want of time, the centers are those of the first placed.
+class RsaStart {
+ public:
+  RsaStart(const Recipe& recipe, const InclusionMix& mix, const RunContext& run)
+      : recipe_(recipe),
+        mix_(mix),
+        run_(run),
+        factor_(start_factor(recipe, mix.bodies, recipe.relaxation.start_fraction, 1.0)) {}
+
+  std::vector<Vec3> operator()(std::int64_t attempt) const {
+    const std::uint64_t seed = recipe_.seed + static_cast<std::uint64_t>(attempt);
+    const RsaResult placed = place_smaller(recipe_, mix_.bodies, factor_, seed, run_);
+    std::vector<Vec3> centers;
+    for (const Inclusion& inclusion : placed.packing.inclusions) {
+      centers.push_back(inclusion.center);
+    }
+    centers.resize(mix_.bodies.size(), centers.empty() ? Vec3{} : centers.front());
+    return centers;
+  }
+
+ private:
+  const Recipe& recipe_;
+  const InclusionMix& mix_;
+  const RunContext& run_;
+  double factor_;
+};
+
+}  // namespace
+
+PackOutcome run_relaxation(const Recipe& recipe, const InclusionMix& mix, const RunContext& run) {
+  RelaxationStart start;
+  if (recipe.relaxation.start == RelaxationFrom::rsa) start = RsaStart(recipe, mix, run);
+  RelaxationResult result =
+      relaxation_pack(recipe.cell, mix.bodies, options_of(recipe), run, start);
+  PackOutcome outcome;
+  outcome.target_reached = result.stop == RelaxationStop::target_reached;
+  outcome.packing = std::move(result.packing);
+  outcome.stop = name(result.stop);
+  outcome.restarts = result.report.restarts;
+  outcome.relaxation = RelaxationOutcome{result.report, std::move(result.history)};
+  outcome.groups = compare_groups(recipe, mix, outcome.packing);
+  const std::vector<bool> turned = turned_groups(recipe, PackMethod::relaxation);
+  for (std::size_t g = 0; g < turned.size(); ++g) outcome.groups[g].turned = turned[g];
+  return outcome;
+}
+
+}  // namespace packstone::recipe

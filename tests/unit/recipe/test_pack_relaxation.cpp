@@ -1,0 +1,98 @@
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "packstone/recipe/pack.hpp"
+#include "packstone/structure/check_packing.hpp"
+#include "scenes.hpp"
+#include "support/order.hpp"
+
+namespace packstone {
+namespace {
+
+using test::order;
+
+// More than random sequential adsorption places, and a tensor to keep.
+const std::string kFibers = R"(
+[[inclusions]]
+name = "fibers"
+shape = "spherocylinder"
+aspect = 10
+count = 60
+fraction = 0.25
+orientation = { tensor = [[0.7, 0, 0], [0, 0.25, 0], [0, 0, 0.05]] }
+[packing]
+)";
+
+const std::string kTooMany = R"(
+[[inclusions]]
+shape = "ellipsoid"
+aspect = 2
+count = 30
+fraction = 0.8
+[packing]
+method = "relaxation"
+[packing.relaxation]
+max_restarts = 0
+max_relocations = 1
+)";
+
+double tensor_change(const GroupOutcome& group) {
+  const SymMat3 d = *group.tensor - *group.ordered_tensor;
+  return std::max({std::abs(d.xx), std::abs(d.yy), std::abs(d.zz), std::abs(d.xy), std::abs(d.xz),
+                   std::abs(d.yz)});
+}
+
+TEST_CASE("auto relaxes what rsa does not surely place, with the tensor ordered, certified") {
+  const PackOutcome outcome = pack(order(kFibers + "min_gap = 0.001\n"));
+  CHECK(outcome.target_reached);
+  CHECK(outcome.method == "relaxation");
+  CHECK_THAT(outcome.method_reason, Catch::StartsWith("auto"));
+  CHECK(outcome.packing.certificate == check_packing(outcome.packing, {.min_gap = 0.001}));
+  CHECK(outcome.packing.certificate->passed());
+  REQUIRE(outcome.relaxation.has_value());
+  CHECK(outcome.relaxation->report.iterations > 0);
+  CHECK(outcome.relaxation->history.size() > 1);
+  CHECK(outcome.groups[0].turned);
+  CHECK(tensor_change(outcome.groups[0]) < 1e-12);
+}
+
+TEST_CASE("a relaxation gives the same bits for the recipe in the provenance") {
+  const PackOutcome first = pack(order(kFibers));
+  const Recipe again = recipe_of_packing(first.packing, "again.json");
+  CHECK(again.method == PackMethod::automatic);
+  CHECK(scenes::state_hash(pack(again, RunContext{}.threads(3)).packing) ==
+        scenes::state_hash(first.packing));
+}
+
+TEST_CASE("a recipe says how bodies turn and where they start") {
+  const std::string ordered = kFibers + "method = \"relaxation\"\n[packing.relaxation]\n";
+  const PackOutcome free = pack(order(ordered + "rotate = \"free\"\nstart = \"random\"\n"));
+  CHECK(free.target_reached);
+  CHECK(tensor_change(free.groups[0]) > 1e-6);
+  const PackOutcome locked =
+      pack(order(ordered + "rotate = \"locked\"\nstart_fraction = 0.05\n", "[1, 1, 1]"));
+  CHECK_FALSE(locked.groups[0].turned);
+  CHECK(tensor_change(locked.groups[0]) == 0.0);
+}
+
+TEST_CASE("a relaxation that ends with overlaps is kept, with the certificate that says so") {
+  const PackOutcome outcome = pack(order(kTooMany));
+  CHECK_FALSE(outcome.target_reached);
+  CHECK(outcome.stop == "stalled");
+  CHECK(outcome.packing.inclusions.size() == 30);
+  REQUIRE(outcome.packing.certificate.has_value());
+  CHECK_FALSE(outcome.packing.certificate->passed());
+  CHECK(outcome.packing.certificate->overlaps > 0);
+}
+
+TEST_CASE("an interrupted relaxation keeps its state and says that it was interrupted") {
+  const std::atomic<bool> cancelled{true};
+  const PackOutcome outcome = pack(order(kTooMany), RunContext{}.cancel_flag(&cancelled));
+  CHECK(outcome.stop == "cancelled");
+  CHECK(outcome.packing.certificate.has_value());
+}
+
+}  // namespace
+}  // namespace packstone
