@@ -30,7 +30,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -59,8 +58,12 @@ class PublishedForces {
 
   /// Leaves out what is not finite: the paper divides by 0 here and there.
   void add(const PublishedForce& force) noexcept;
-  [[nodiscard]] std::span<const PublishedForce> all() const noexcept {
-    return std::span(forces_).first(count_);
+  [[nodiscard]] const PublishedForce* begin() const noexcept { return forces_.data(); }
+  [[nodiscard]] const PublishedForce* end() const noexcept { return forces_.data() + count_; }
+  [[nodiscard]] std::size_t size() const noexcept { return count_; }
+  [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
+  [[nodiscard]] const PublishedForce& operator[](std::size_t k) const noexcept {
+    return forces_[k];
   }
 
  private:

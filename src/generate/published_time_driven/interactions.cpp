@@ -94,7 +94,7 @@ void Interactions::add_forces(const std::vector<Inclusion>& inclusions, std::siz
                               std::size_t j, const Vec3& r, Loads& loads) const {
   const PublishedForces forces =
       published_forces(inclusions[i].body, inclusions[j].body, r, literal_);
-  for (const PublishedForce& force : forces.all()) {
+  for (const PublishedForce& force : forces) {
     loads.force[i] += force.on_a;
     loads.torque[i] += cross(force.point, force.on_a);
     loads.force[j] -= force.on_a;

@@ -37,22 +37,22 @@ Pair random_pair(RandomStream& random) {
 
 Vec3 total(const PublishedForces& forces) {
   Vec3 sum;
-  for (const PublishedForce& force : forces.all()) sum += force.on_a;
+  for (const PublishedForce& force : forces) sum += force.on_a;
   return sum;
 }
 
 // The only force of a pair.
 PublishedForce only(const Body& a, const Body& b, const Vec3& r, bool literal = false) {
   const PublishedForces forces = published_forces(a, b, r, literal);
-  REQUIRE(forces.all().size() == 1);
-  return forces.all()[0];
+  REQUIRE(forces.size() == 1);
+  return forces[0];
 }
 
 // A force of this type among those of the pair.
 PublishedForce one_of(PublishedContact type, const Body& a, const Body& b, const Vec3& r,
                       bool literal = false) {
   const PublishedForces forces = published_forces(a, b, r, literal);
-  for (const PublishedForce& force : forces.all()) {
+  for (const PublishedForce& force : forces) {
     if (force.type == type) return force;
   }
   FAIL("no force of type " << name(type));
@@ -65,11 +65,11 @@ TEST_CASE("what the first body feels, the second feels reversed, at the same poi
     const Pair p = random_pair(random);
     const auto forward = published_forces(p.a, p.b, p.r);
     const auto backward = published_forces(p.b, p.a, -p.r);
-    REQUIRE(forward.all().size() == backward.all().size());
+    REQUIRE(forward.size() == backward.size());
     CHECK(near(total(forward), -total(backward), 1e-9));
     Vec3 torque_forward, torque_backward;
-    for (const auto& force : forward.all()) torque_forward += cross(force.point, force.on_a);
-    for (const auto& force : backward.all()) {
+    for (const auto& force : forward) torque_forward += cross(force.point, force.on_a);
+    for (const auto& force : backward) {
       torque_backward += cross(force.point + p.r, force.on_a);
     }
     CHECK(near(torque_forward, -torque_backward, 1e-9));
@@ -83,8 +83,8 @@ TEST_CASE("a pair that is proven apart feels nothing, once repaired") {
     const Pair p = random_pair(random);
     if (overlap(p.a, p.b, p.r) != Verdict::separated) continue;
     ++apart;
-    CHECK(published_forces(p.a, p.b, p.r).all().empty());
-    printed += !published_forces(p.a, p.b, p.r, true).all().empty();
+    CHECK(published_forces(p.a, p.b, p.r).empty());
+    printed += !published_forces(p.a, p.b, p.r, true).empty();
   }
   CHECK(apart > 2'000);
   CHECK(printed > 10);
@@ -115,9 +115,9 @@ std::map<PublishedContact, Outward> outward_forces(bool literal) {
   for (int i = 0; i < 60'000; ++i) {
     const Pair p = random_pair(random);
     const PublishedForces forces = published_forces(p.a, p.b, p.r, literal);
-    if (forces.all().size() != 1 || norm(forces.all()[0].on_a) < 1e-6) continue;
+    if (forces.size() != 1 || norm(forces[0].on_a) < 1e-6) continue;
     if (overlap(p.a, p.b, p.r) == Verdict::separated) continue;
-    const PublishedForce& force = forces.all()[0];
+    const PublishedForce& force = forces[0];
     const Vec3 d = normalized(force.on_a);
     Outward& of_type = outward[force.type];
     ++of_type.count;
@@ -141,7 +141,7 @@ TEST_CASE("repaired forces of every type point out of the overlap, printed sc2 a
 
 double energy(const Body& a, const Body& b, const Vec3& r) {
   double sum = 0.0;
-  for (const auto& force : published_forces(a, b, r).all()) sum += 0.5 * norm_sq(force.on_a);
+  for (const auto& force : published_forces(a, b, r)) sum += 0.5 * norm_sq(force.on_a);
   return sum;
 }
 
@@ -152,8 +152,8 @@ TEST_CASE("where the depth is that along the force, the force is the slope of ha
   for (int i = 0; i < 20'000; ++i) {
     const Pair p = random_pair(random);
     const PublishedForces forces = published_forces(p.a, p.b, p.r);
-    if (forces.all().size() != 1 || norm(forces.all()[0].on_a) < 1e-3) continue;
-    const PublishedForce force = forces.all()[0];
+    if (forces.size() != 1 || norm(forces[0].on_a) < 1e-3) continue;
+    const PublishedForce force = forces[0];
     const PublishedContact type = force.type;
     if (type != PublishedContact::ss && type != PublishedContact::sc2 &&
         type != PublishedContact::sc3 && type != PublishedContact::sc4 &&
@@ -162,7 +162,7 @@ TEST_CASE("where the depth is that along the force, the force is the slope of ha
     }
     const auto type_at = [&](const Vec3& r) {
       const auto there = published_forces(p.a, p.b, r);
-      return there.all().size() == 1 ? there.all()[0].type : PublishedContact::none;
+      return there.size() == 1 ? there[0].type : PublishedContact::none;
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Vec3 h;
@@ -186,8 +186,8 @@ TEST_CASE("torque is the slope against turning, where the force is that of a dep
     const Body other = random_body(random);
     const Vec3 r = random.uniform(0.5, 3.0) * random_direction(random);
     const PublishedForces forces = published_forces(rod, other, r);
-    if (forces.all().size() != 1) continue;
-    const PublishedForce force = forces.all()[0];
+    if (forces.size() != 1) continue;
+    const PublishedForce force = forces[0];
     if (force.type != PublishedContact::sc2 && force.type != PublishedContact::sc4 &&
         force.type != PublishedContact::cc1) {
       continue;
@@ -200,8 +200,8 @@ TEST_CASE("torque is the slope against turning, where the force is that of a dep
     const double up = energy(turned(kStep), other, r), down = energy(turned(-kStep), other, r);
     // Types change, and axes that come to cross turn the force about.
     const auto alike = [&](const PublishedForces& nearby) {
-      return nearby.all().size() == 1 && nearby.all()[0].type == force.type &&
-             dot(nearby.all()[0].on_a, force.on_a) > 0.0;
+      return nearby.size() == 1 && nearby[0].type == force.type &&
+             dot(nearby[0].on_a, force.on_a) > 0.0;
     };
     if (!alike(published_forces(turned(kStep), other, r))) continue;
     if (!alike(published_forces(turned(-kStep), other, r))) continue;
@@ -244,7 +244,7 @@ TEST_CASE("a base that enters a face pushes with its depth, ever harder across t
   for (double distance = 3.4; distance > 2.0; distance -= 0.02) {
     const auto forces = published_forces(rod, Cylinder{0.4, 2.0, tilt}, distance * tilt);
     double deepest = 0.0;
-    for (const auto& force : forces.all()) {
+    for (const auto& force : forces) {
       if (force.type != PublishedContact::cd1 && force.type != PublishedContact::cd2) continue;
       CHECK(force.on_a.x < 0.0);
       deepest = std::max(deepest, norm(force.on_a));
@@ -294,10 +294,10 @@ TEST_CASE("forces that are 0/0 in print are left out there, and repaired by a di
   const Cylinder rod{1.0, 3.0, {0, 0, 1}};
   // Axes that cross: along the line of centers.
   const Cylinder across{1.0, 3.0, {1, 0, 0}};
-  CHECK(published_forces(rod, across, {1, 0, 1}, true).all().empty());
+  CHECK(published_forces(rod, across, {1, 0, 1}, true).empty());
   CHECK(near(only(rod, across, {1, 0, 1}).on_a, -2.0 * normalized(Vec3{1, 0, 1})));
   // Parallel axes: side by side, in the middle of the common part.
-  for (const auto& force : published_forces(rod, rod, {1.5, 0, 2}, true).all()) {
+  for (const auto& force : published_forces(rod, rod, {1.5, 0, 2}, true)) {
     CHECK(force.type != PublishedContact::cc1);
   }
   const auto beside = one_of(PublishedContact::cc1, rod, rod, {1.5, 0, 2});
@@ -305,7 +305,7 @@ TEST_CASE("forces that are 0/0 in print are left out there, and repaired by a di
   CHECK(near(beside.point, {0.75, 0, 1}));
   // One axis: the bases push along it.
   const auto ends = published_forces(rod, rod, {0, 0, 5.5});
-  CHECK(!ends.all().empty());
+  CHECK(!ends.empty());
   CHECK(total(ends).z < 0.0);
   CHECK(std::hypot(total(ends).x, total(ends).y) < 1e-9);
   // A sphere centered on the axis goes out along the line of centers, one at the center somewhere.

@@ -7,6 +7,7 @@
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/generate/published_time_driven.hpp"
+#include "packstone/geometry/contact.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "support/brute_force_check.hpp"
@@ -57,20 +58,50 @@ TEST_CASE("spheres, whose overlap the method sees as it is, end apart") {
   }
 }
 
+// Pairs deeper than `depth` [L], and of these the ones that are no cylinders or that feel a force.
+struct Leftovers {
+  int deep = 0, other = 0;
+};
+
+Leftovers leftovers(const Packing& packing, double depth) {
+  Leftovers left;
+  for (const PairWitness& pair : separating_directions(packing)) {
+    const Inclusion& a = packing.inclusions[static_cast<std::size_t>(pair.a)];
+    const Inclusion& b = packing.inclusions[static_cast<std::size_t>(pair.b)];
+    const Vec3 r = b.center - a.center + image_shift(packing.cell, pair.image);
+    if (pair.gap > 0.0 || gap(a.body, b.body, r).value > -depth) continue;
+    ++left.deep;
+    const bool cylinders = kind(a.body) == ShapeKind::cylinder && kind(a.body) == kind(b.body);
+    bool feels = false;
+    const PublishedForces forces = published_forces(a.body, b.body, r);
+    for (const auto& force : forces) feels = feels || norm(force.on_a) > depth;
+    left.other += !cylinders || feels;
+  }
+  return left;
+}
+
 TEST_CASE("at half of the volume the method is content while cylinders stand in each other") {
   int relaxed = 0, overlapping = 0;
   double deepest = 0.0;
+  Leftovers left;
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     const auto bodies = mixture(20, 0.5, 3, seed);
     const TimeDrivenResult result = published_time_driven_pack({}, bodies, {.seed = seed});
     relaxed += result.stop == TimeDrivenStop::relaxed;
     overlapping += result.overlaps > 0;
-    deepest = std::max(deepest, result.deepest / std::get<Cylinder>(bodies[0].body).radius);
+    const double radius = std::get<Cylinder>(bodies[0].body).radius;
+    deepest = std::max(deepest, result.deepest / radius);
+    const Leftovers here = leftovers(result.packing, 1e-3 * radius);
+    left.deep += here.deep;
+    left.other += here.other;
     CHECK(result.potential_energy < 1e-9 * result.start_energy);
   }
   CHECK(relaxed >= 3);
   CHECK(overlapping >= 3);
   CHECK(deepest > 0.05);
+  // All that is left is what the tests of cylinders do not see.
+  CHECK(left.deep > 5);
+  CHECK(left.other == 0);
 }
 
 TEST_CASE("to the letter the energy does not go away, since spheres and cylinders attract") {
