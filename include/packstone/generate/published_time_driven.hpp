@@ -196,7 +196,7 @@ struct TimeDrivenResult {
   double potential_energy = 0.0;  ///< And at the end [L^2].
   double kinetic_energy = 0.0;    ///< At the end [L^2 / T^2].
 
-  // What is true.
+  // What is true; of walls, Certificate::outside_walls.
   std::int64_t overlaps = 0;  ///< Pairs, with image, that are not proven apart.
   double deepest = 0.0;       ///< Deepest overlap of a pair [L]; 0: none.
 
