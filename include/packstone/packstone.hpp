@@ -13,6 +13,7 @@
 #include "packstone/core/version.hpp"
 #include "packstone/generate/event_driven.hpp"
 #include "packstone/generate/published_event_driven.hpp"
+#include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/geometry/body.hpp"

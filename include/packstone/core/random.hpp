@@ -31,6 +31,7 @@ enum class StreamId : std::uint64_t {
   draw = 9,
   event_driven_centers = 10,
   event_driven_velocities = 11,
+  time_driven_centers = 12,
   relaxation_centers = 13,
   relaxation_places = 14,
 };

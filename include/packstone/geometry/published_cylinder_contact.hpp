@@ -24,6 +24,7 @@
 /// generation of RVEs for analysis of composites within the framework of homogenization",
 /// Comput. Mech. 55 (2015) 127-144, section 2, Algorithms 1 to 4.
 
+#include <array>
 #include <string_view>
 
 #include "packstone/core/vec.hpp"
@@ -44,6 +45,7 @@ enum class PublishedContact {
   cd2,  ///< Disk crosses the axis.
   cd3,  ///< The whole cylinder passes through the disk.
   cc1,  ///< Both curved faces meet.
+  ss,   ///< Two spheres meet; has no name in the paper.
 };
 
 /// "none", "sc1", ...
@@ -62,6 +64,57 @@ struct PublishedDisk {
   double radius = 1.0;  ///< [L] > 0.
   Vec3 normal;          ///< Of any length > 0.
 };
+
+/// What Algorithm 1 finds on its way, in the letters of the paper.
+struct PublishedSphereCylinder {
+  PublishedContact type = PublishedContact::none;
+  double x = 0.0;  ///< X: where the sphere stands along the axis, from the cylinder's center [L].
+  Vec3 to_axis{};  ///< From the sphere's center to its projection on the axis [L]; its length is L.
+};
+
+/// What Algorithm 2 finds on its way.
+struct PublishedDiskDisk {
+  PublishedContact type = PublishedContact::none;
+  Vec3 point{};  ///< pt; with chords repaired, the middle of what the two chords share [L].
+  double distance_a = 0.0;  ///< Of the center of a from pt: from the common line [L].
+  double distance_b =
+      0.0;  ///< Of the center of b from its own projection; as printed, from pt [L].
+};
+
+/// What Algorithm 3 finds on its way; points relative to the center of the cylinder [L].
+struct PublishedCylinderDisk {
+  PublishedContact type = PublishedContact::none;
+  Vec3 crossing{};  ///< a: where the axis meets the plane of the disk.
+  Vec3 rim{};       ///< pt_c: the point of the rim next to `crossing`.
+  Vec3 foot{};      ///< b: the projection of `rim` on the axis.
+};
+
+/// What steps 1 to 3.c of Algorithm 4 find; points relative to the center of the first cylinder
+/// [L].
+struct PublishedAxes {
+  bool near = false;      ///< The distance of the axes, prolonged, is within the sum of the radii.
+  bool cross = false;     ///< The nearest points lie on the cylinders: cc1, where near as well.
+  double distance = 0.0;  ///< rho [L].
+  Vec3 point_a{};         ///< pt_1, on the first axis.
+  Vec3 point_b{};         ///< pt_2, on the second.
+};
+
+/// The end disks of a cylinder about `center`, normals outward, in the paper's order: +l, -l.
+[[nodiscard]] std::array<PublishedDisk, 2> published_ends(const Cylinder& body,
+                                                          const Vec3& center) noexcept;
+
+/// Algorithms 1 to 3, and the part of 4 that looks at the axes, with what they find on their way.
+/// Arguments as below.
+[[nodiscard]] PublishedSphereCylinder published_sphere_cylinder_test(const Sphere& a,
+                                                                     const Cylinder& b,
+                                                                     const Vec3& r_ab) noexcept;
+[[nodiscard]] PublishedDiskDisk published_disk_disk_test(const PublishedDisk& a,
+                                                         const PublishedDisk& b,
+                                                         PublishedRepair repair = {}) noexcept;
+[[nodiscard]] PublishedCylinderDisk published_cylinder_disk_test(
+    const Cylinder& a, const PublishedDisk& b, PublishedRepair repair = {}) noexcept;
+[[nodiscard]] PublishedAxes published_axes_test(const Cylinder& a, const Cylinder& b,
+                                                const Vec3& r_ab) noexcept;
 
 /// Algorithm 1. r_ab: center of the cylinder minus center of the sphere [L].
 [[nodiscard]] PublishedContact published_sphere_cylinder(const Sphere& a, const Cylinder& b,

@@ -263,5 +263,43 @@ TEST_CASE("published types are told apart as in the paper's figures") {
   CHECK(name(PublishedContact::cd2) == "cd2");
 }
 
+bool near(const Vec3& a, const Vec3& b) { return norm(a - b) < 1e-12; }
+
+TEST_CASE("the published tests hand out the points that they find on their way") {
+  const Cylinder rod{1, 5, {0, 0, 1}};
+  const auto sphere = published_sphere_cylinder_test({0.5}, rod, {-1.2, 0, -2});
+  CHECK(sphere.type == PublishedContact::sc2);
+  CHECK(sphere.x == Approx(2.0));
+  CHECK(near(sphere.to_axis, {-1.2, 0, 0}));
+  // The tilted plane x = 2.5 - 5 z meets the axis at z = 0.5.
+  const PublishedDisk disk{{2.5, 0, 0}, 2.0, {0.2, 0, 1}};
+  const auto pierced = published_cylinder_disk_test(rod, disk);
+  CHECK(near(pierced.crossing, {0, 0, 0.5}));
+  CHECK(norm(pierced.rim - disk.center) == Approx(2.0));
+  CHECK(dot(pierced.rim - disk.center, disk.normal) == Approx(0.0).margin(1e-12));
+  CHECK(near(pierced.foot, {0, 0, pierced.rim.z}));
+  const auto axes = published_axes_test(rod, {1, 5, {1, 0, 0}}, {3, 1.5, 4});
+  CHECK(axes.near);
+  CHECK(axes.cross);
+  CHECK(axes.distance == Approx(1.5));
+  CHECK(near(axes.point_a, {0, 0, 4}));
+  CHECK(near(axes.point_b, {0, 1.5, 4}));
+  CHECK_FALSE(published_axes_test(rod, {1, 5, {1, 0, 0}}, {6, 1.5, 4}).cross);
+  CHECK_FALSE(published_axes_test(rod, {1, 5, {1, 0, 0}}, {3, 2.5, 4}).near);
+}
+
+TEST_CASE("two disks meet in the middle of what their chords share") {
+  // Chords [-0.8, 0.8] and [0.2, 1.8] of the y axis.
+  const PublishedDisk level{{0.6, 0, 0}, 1.0, {0, 0, 1}}, upright{{0, 1, 0.6}, 1.0, {1, 0, 0}};
+  const auto met = published_disk_disk_test(level, upright, PublishedRepair::chords);
+  CHECK(met.type != PublishedContact::none);
+  CHECK(near(met.point, {0, 0.5, 0}));
+  CHECK(met.distance_a == Approx(0.6));
+  CHECK(met.distance_b == Approx(0.6));
+  const auto slips = published_disk_disk_test(level, upright, PublishedRepair::typos);
+  CHECK(near(slips.point, {0, 0, 0}));
+  CHECK(slips.distance_b == Approx(std::hypot(0.6, 1.0)));
+}
+
 }  // namespace
 }  // namespace packstone
