@@ -57,10 +57,10 @@ class Attempt {
   Motion gradient_;
   Energy energy_;
   double reference_ = 0.0;  // Energy that progress is measured from.
-  std::int64_t idle_ = 0;            // Steps without progress.
+  std::int64_t idle_ = 0;   // Steps without progress.
   std::int64_t iterations_ = 0;
   std::int64_t relocated_ = 0;
-  std::int64_t rounds_ = 0;                    // Of relocation, without a new least energy.
+  std::int64_t rounds_ = 0;           // Of relocation, without a new least energy.
   double least_at_relocation_ = 0.0;  // Least energy when bodies were last relocated.
 
   Energy best_energy_;

@@ -28,8 +28,8 @@ double random_gap(const zoo::Pair& pair, zoo::Zoo& zoo) {
 
 Scene random_scene(const zoo::Pair& pair, Motion motion, zoo::Zoo& zoo) {
   motion.min_gap *= zoo::size_of(pair);
-  return movers::approaching(zoo::moved_apart(pair, motion.min_gap + random_gap(pair, zoo)),
-                             motion, zoo);
+  return movers::approaching(zoo::moved_apart(pair, motion.min_gap + random_gap(pair, zoo)), motion,
+                             zoo);
 }
 
 // `count` pairs of every kind of shapes and every class of pairs.
