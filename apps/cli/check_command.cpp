@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,21 +51,13 @@ int run_check(const CheckArguments& arguments) {
   return certificate.passed() ? kDone : kHonestNo;
 }
 
-std::string check_gap(const std::string& text) {
-  double gap = 0.0;
-  const bool number = CLI::detail::lexical_cast(text, gap);
-  return number && gap >= 0.0 && std::isfinite(gap) ? "" : text + "; allowed is a number >= 0";
-}
-
 }  // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", "Prove that nothing overlaps, or say what does");
   add_packing(*command, arguments->packing);
-  command->add_option("--min-gap", arguments->options.min_gap, "Least gap between any two [0]")
-      ->type_name("G")
-      ->check(CLI::Validator(check_gap, ""));
+  add_min_gap(*command, arguments->options.min_gap);
   command
       ->add_option("--witness", arguments->witness, "Write one separating direction per near pair")
       ->type_name("FILE");

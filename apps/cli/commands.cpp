@@ -1,6 +1,25 @@
 #include "commands.hpp"
 
+#include <cmath>
+
+#include "packstone/recipe/recipe.hpp"
+
 namespace packstone::cli {
+namespace {
+
+std::string check_time(const std::string& text) {
+  return seconds_in(text)
+             ? ""
+             : text + "; allowed is a time > 0 such as \"30 s\", \"10 min\", \"1.5 h\"";
+}
+
+std::string check_gap(const std::string& text) {
+  double gap = 0.0;
+  const bool number = CLI::detail::lexical_cast(text, gap);
+  return number && gap >= 0.0 && std::isfinite(gap) ? "" : text + "; allowed is a number >= 0";
+}
+
+}  // namespace
 
 void add_packing(CLI::App& command, std::string& path) {
   command.add_option("PACKING", path, "Packing (.json, .h5)")->type_name("")->required();
@@ -10,6 +29,18 @@ void add_threads(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Threads; the result is the same [all]")
       ->type_name("N")
       ->check(CLI::Range(0, 4096).description(""));
+}
+
+void add_time_limit(CLI::App& command, std::string& limit) {
+  command.add_option("--time-limit", limit, "Then keep what is valid: \"30 s\", \"10 min\"")
+      ->type_name("TIME")
+      ->check(CLI::Validator(check_time, ""));
+}
+
+void add_min_gap(CLI::App& command, double& gap) {
+  command.add_option("--min-gap", gap, "Least gap between any two [0]")
+      ->type_name("G")
+      ->check(CLI::Validator(check_gap, ""));
 }
 
 }  // namespace packstone::cli

@@ -17,11 +17,14 @@ enum ExitCode {
   kInterrupted = 130,  ///< Interrupted; the best valid state was kept.
 };
 
-/// The argument and the option that several commands share.
+/// The argument and the options that several commands share.
 void add_packing(CLI::App& command, std::string& path);
 void add_threads(CLI::App& command, int& threads);
+void add_time_limit(CLI::App& command, std::string& limit);
+void add_min_gap(CLI::App& command, double& gap);
 
 void add_pack(CLI::App& app, int& exit_code);
+void add_relax(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);

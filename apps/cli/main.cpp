@@ -82,6 +82,7 @@ int run(int argc, char** argv) {
       "Example: packstone new fibers -o fibers.toml && packstone pack fibers.toml");
   cli::add_new(app, exit_code);
   cli::add_pack(app, exit_code);
+  cli::add_relax(app, exit_code);
   cli::add_check(app, exit_code);
   cli::add_draw(app, exit_code);
   cli::add_export(app, exit_code);

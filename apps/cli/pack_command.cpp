@@ -213,12 +213,6 @@ int run_pack(const PackArguments& arguments) {
                                                       .json = arguments.json});
 }
 
-std::string check_time(const std::string& text) {
-  return seconds_in(text)
-             ? ""
-             : text + "; allowed is a time > 0 such as \"30 s\", \"10 min\", \"1.5 h\"";
-}
-
 void add_long_work(CLI::App& command, PackArguments& arguments) {
   command.add_option("--timeline", arguments.timeline, "Write the history of bodies that move")
       ->type_name("FILE.csv");
@@ -248,11 +242,7 @@ void add_pack(CLI::App& app, int& exit_code) {
   command->add_option("--set", arguments->overrides, "Change the recipe, as cell.size=[2,2,2]")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command
-      ->add_option("--time-limit", arguments->time_limit,
-                   "Then keep what is valid: \"30 s\", \"10 min\"")
-      ->type_name("TIME")
-      ->check(CLI::Validator(check_time, ""));
+  add_time_limit(*command, arguments->time_limit);
   add_long_work(*command, *arguments);
   add_threads(*command, arguments->threads);
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");

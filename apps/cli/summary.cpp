@@ -105,18 +105,6 @@ std::string group_text(const GroupOutcome& group, std::size_t width) {
   return text + "\n" + order_text(group) + changes_text(group);
 }
 
-std::string stop_words(const std::string& stop) {
-  if (stop == "saturated") return "proven: the next inclusion fits nowhere";
-  if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
-  if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
-  if (stop == "stagnated") return "stagnated by the published criterion";
-  if (stop == "stalled") return "no attempt came to rest without overlaps";
-  if (stop == "cancelled") return "interrupted";
-  if (stop == "out_of_time") return "the time limit passed";
-  if (stop == "check_failed") return "the independent check did not pass";
-  return stop;
-}
-
 Json motion_json(const std::optional<MotionOutcome>& motion) {
   if (!motion) return nullptr;
   const EventDrivenReport& report = motion->report;
@@ -132,23 +120,6 @@ Json motion_json(const std::optional<MotionOutcome>& motion) {
           {"energy_drift", finite_or_null(report.energy_drift)},
           {"reduced_pressure", finite_or_null(report.reduced_pressure)},
           {"growth_rate", report.growth_rate}};
-}
-
-Json relaxation_json(const std::optional<RelaxationOutcome>& relaxation) {
-  if (!relaxation) return nullptr;
-  const RelaxationReport& report = relaxation->report;
-  return {{"iterations", report.iterations},
-          {"evaluations", report.evaluations},
-          {"neighbor_searches", report.neighbor_searches},
-          {"relocated", report.relocated},
-          {"energy", finite_or_null(report.energy)},
-          {"deepest", report.deepest}};
-}
-
-std::string relaxation_text(const RelaxationReport& report) {
-  std::string text = fmt::format("{} steps, {} restarts", report.iterations, report.restarts);
-  if (report.relocated > 0) text += fmt::format(", {} moved elsewhere", report.relocated);
-  return text;
 }
 
 std::string sizes_text(const MotionOutcome& motion) {
@@ -188,6 +159,33 @@ std::string gap_text(const Certificate& c) {
 }
 
 }  // namespace
+
+std::string stop_words(const std::string& stop) {
+  if (stop == "saturated") return "proven: the next inclusion fits nowhere";
+  if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
+  if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
+  if (stop == "stagnated") return "stagnated by the published criterion";
+  if (stop == "stalled") return "no attempt came to rest without overlaps";
+  if (stop == "cancelled") return "interrupted";
+  if (stop == "out_of_time") return "the time limit passed";
+  if (stop == "check_failed") return "the independent check did not pass";
+  return stop;
+}
+
+Json relaxation_json(const RelaxationReport& report) {
+  return {{"iterations", report.iterations},
+          {"evaluations", report.evaluations},
+          {"neighbor_searches", report.neighbor_searches},
+          {"relocated", report.relocated},
+          {"energy", finite_or_null(report.energy)},
+          {"deepest", report.deepest}};
+}
+
+std::string relaxation_text(const RelaxationReport& report) {
+  std::string text = fmt::format("{} steps, {} restarts", report.iterations, report.restarts);
+  if (report.relocated > 0) text += fmt::format(", {} moved elsewhere", report.relocated);
+  return text;
+}
 
 Json certificate_json(const Certificate& c) {
   Json groups = Json::array();
@@ -229,7 +227,8 @@ Json outcome_json(const PackOutcome& outcome) {
             {"trials", outcome.trials},
             {"restarts", outcome.restarts},
             {"motion", motion_json(outcome.motion)},
-            {"relaxation", relaxation_json(outcome.relaxation)},
+            {"relaxation",
+             outcome.relaxation ? relaxation_json(outcome.relaxation->report) : Json(nullptr)},
             {"groups", groups},
             {"derived", outcome.derived}};
   text["certificate"] = certificate_json(*outcome.packing.certificate);

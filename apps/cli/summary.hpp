@@ -16,6 +16,12 @@ namespace packstone::cli {
 [[nodiscard]] nlohmann::ordered_json certificate_json(const Certificate& certificate);
 [[nodiscard]] nlohmann::ordered_json crossing_json(const std::optional<WallCrossing>& crossing);
 [[nodiscard]] nlohmann::ordered_json outcome_json(const PackOutcome& outcome);
+[[nodiscard]] nlohmann::ordered_json relaxation_json(const RelaxationReport& report);
+
+/// What a relaxation did, on part of a line.
+[[nodiscard]] std::string relaxation_text(const RelaxationReport& report);
+/// Why a run stopped, in words.
+[[nodiscard]] std::string stop_words(const std::string& stop);
 
 /// The verdict in a few lines. `crossing`: the deepest one through a wall, if there is any.
 [[nodiscard]] std::string certificate_text(const Certificate& certificate,

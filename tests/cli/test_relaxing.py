@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from cli_case import EXAMPLES, Case
+from cli_case import EXAMPLES, OVERLAPPING, Case
 
 TOO_MANY = """
 [cell]
@@ -57,6 +57,32 @@ class Relaxing(Case):
         self.assertIn("the state that overlaps least, not valid, is in m.json", done.stderr)
         check = self.run_program("check", "m.json", code=1)
         self.assertIn("FAILED", check.stdout)
+
+
+    def test_relax_opens_the_gaps_of_a_packing_and_ends_overlaps(self):
+        self.write("overlapping.json", OVERLAPPING)
+        done = self.run_program("relax", "overlapping.json", "-o", "apart.json")
+        self.assertIn("passed: no two inclusions overlap", done.stdout)
+        self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json")
+        done = self.run_program("relax", "f.json", "--min-gap", "0.003", "-o", "g.h5", "--json")
+        certificate = json.loads(done.stdout)
+        self.assertTrue(certificate["passed"])
+        self.assertGreater(certificate["smallest_gap"], 0.003)
+        self.assertEqual(certificate["stop"], "target_reached")
+        self.run_program("check", "g.h5", "--min-gap", "0.003")
+
+    def test_relax_says_what_it_cannot_do_and_refuses_what_makes_no_sense(self):
+        self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json")
+        done = self.run_program("relax", "f.json", "--min-gap", "0.2", "-o", "g.json",
+                                "--time-limit", "1 s", code=1)
+        self.assertIn("not every gap could be opened", done.stderr)
+        self.assertIn("closer than 0.2", done.stdout)
+        done = self.run_program("relax", "f.json", "-o", "g.json", "--rotate", "fre", code=2)
+        self.assertIn("fre", done.stderr)
+        done = self.run_program("relax", "f.json", "-o", "g.txt", code=2)
+        self.assertIn("g.txt", done.stderr)
+        done = self.run_program("relax", "f.json", "-o", "g.json", "--min-gap", "2", code=2)
+        self.assertIn("min_gap is 2", done.stderr)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ import unittest
 
 from cli_case import ENDLESS, EXAMPLES, Case
 
-COMMANDS = ["new", "pack", "check", "draw", "export"]
+COMMANDS = ["new", "pack", "relax", "check", "draw", "export"]
 
 
 class Usage(Case):

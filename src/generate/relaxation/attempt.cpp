@@ -1,6 +1,7 @@
 #include "generate/relaxation/attempt.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -98,6 +99,15 @@ void Attempt::note() {
   note_every_ *= 2;
 }
 
+// Depths shrink by a factor in so many steps: what is done is told by their logarithm.
+void Attempt::report(RunContext& run) {
+  constexpr double kAlmost = 0.999;
+  const double all = std::log(std::max(start_left_, 1.0 + 1e-9));
+  const double left = std::log(std::max(energy_.most_left, 1.0));
+  const double done = std::clamp(1.0 - left / all, 0.0, kAlmost);
+  run.report({"relaxing", done, fraction(shapes_), 0, 0});
+}
+
 // Where the energy does not fall any more: moves some bodies elsewhere. False: that has not helped.
 bool Attempt::move_on() {
   if (best_energy_.value < 0.97 * least_at_relocation_) rounds_ = 0;
@@ -116,7 +126,9 @@ RelaxationStop Attempt::run(RunContext& run) {
   constexpr double kProgress = 0.97;
   start_anew();
   note();
+  start_left_ = energy_.most_left;
   while (!at_rest()) {
+    report(run);
     const StopRequest request = run.stop_request();
     if (request == StopRequest::cancelled) return RelaxationStop::cancelled;
     if (request == StopRequest::out_of_time) return RelaxationStop::out_of_time;

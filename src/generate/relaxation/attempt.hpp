@@ -42,6 +42,7 @@ class Attempt {
                 Motion& gradient, Energy& energy);
   void keep_best();
   void note();
+  void report(RunContext& run);
   bool move_on();
   [[nodiscard]] bool at_rest() const { return !(energy_.most_left > 1.0); }
 
@@ -63,6 +64,7 @@ class Attempt {
   std::int64_t rounds_ = 0;           // Of relocation, without a new least energy.
   double least_at_relocation_ = 0.0;  // Least energy when bodies were last relocated.
 
+  double start_left_ = 1.0;  // Energy::most_left at the start.
   Energy best_energy_;
   std::vector<PosedBody> best_;
   std::vector<RelaxationSample> history_;
