@@ -115,7 +115,8 @@ MethodChoice automatic_choice(const Recipe& recipe, const InclusionMix& mix) {
   const double crowded = crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order);
   if (crowded <= 1.0) return {PackMethod::rsa, "auto: it surely places them all"};
   if (crowded <= kRelaxedCrowding) {
-    return {PackMethod::relaxation, "auto: denser than rsa surely reaches"};
+    return {PackMethod::relaxation, "auto: denser than rsa surely reaches",
+            all_turn_freely(recipe)};
   }
   if (!all_turn_freely(recipe)) {
     return {PackMethod::relaxation, "auto: dense, and it keeps the orientations ordered"};

@@ -15,6 +15,8 @@ namespace packstone::recipe {
 struct MethodChoice {
   PackMethod method = PackMethod::rsa;  ///< Not automatic.
   std::string reason;                   ///< For people.
+  /// relaxation: where a few attempts stall, event-driven dynamics may take over.
+  bool may_grow = false;
 };
 
 /// The method ordered, or the one that suits the bodies drawn: random sequential adsorption where

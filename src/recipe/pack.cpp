@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <limits>
 #include <utility>
 
 #include "packstone/core/error.hpp"
@@ -78,11 +79,20 @@ class Run {
     recipe::refuse_impossible(recipe_, mix_, choice_.method);
     return recipe::for_recipe(recipe_, [&] {
       if (choice_.method == PackMethod::rsa) return recipe::run_rsa(recipe_, mix_, run_);
-      if (choice_.method == PackMethod::relaxation) {
-        return recipe::run_relaxation(recipe_, mix_, run_);
-      }
+      if (choice_.method == PackMethod::relaxation) return relaxed(checkpointing);
       return recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
     });
+  }
+
+  // By relaxation, or where that stalls and the choice was left to us, by growth.
+  PackOutcome relaxed(const Checkpointing& checkpointing) {
+    constexpr std::int64_t kFewRestarts = 3;
+    constexpr std::int64_t kAny = std::numeric_limits<std::int64_t>::max();
+    PackOutcome outcome =
+        recipe::run_relaxation(recipe_, mix_, run_, choice_.may_grow ? kFewRestarts : kAny);
+    if (!choice_.may_grow || outcome.stop != name(RelaxationStop::stalled)) return outcome;
+    choice_ = {PackMethod::event_driven, "auto: relaxations stalled"};
+    return recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
   }
 
   PackOutcome from(MovingPacking checkpoint, const Checkpointing& checkpointing) {

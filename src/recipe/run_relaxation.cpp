@@ -1,6 +1,6 @@
 #include "recipe/run_relaxation.hpp"
 
-#include <string>
+#include <algorithm>
 #include <utility>
 
 #include "recipe/compare_groups.hpp"
@@ -10,7 +10,7 @@
 namespace packstone::recipe {
 namespace {
 
-RelaxationOptions options_of(const Recipe& recipe) {
+RelaxationOptions options_of(const Recipe& recipe, std::int64_t most_restarts) {
   const RelaxationSettings& settings = recipe.relaxation;
   RelaxationOptions options;
   options.min_gap = recipe.min_gap;
@@ -19,7 +19,7 @@ RelaxationOptions options_of(const Recipe& recipe) {
   options.patience = settings.patience;
   options.relocated_share = settings.relocated_share;
   options.max_relocations = settings.max_relocations;
-  options.max_restarts = settings.max_restarts;
+  options.max_restarts = std::min(settings.max_restarts, most_restarts);
   options.seed = recipe.seed;
   return options;
 }
@@ -54,11 +54,12 @@ class RsaStart {
 
 }  // namespace
 
-PackOutcome run_relaxation(const Recipe& recipe, const InclusionMix& mix, const RunContext& run) {
+PackOutcome run_relaxation(const Recipe& recipe, const InclusionMix& mix, const RunContext& run,
+                           std::int64_t most_restarts) {
   RelaxationStart start;
   if (recipe.relaxation.start == RelaxationFrom::rsa) start = RsaStart(recipe, mix, run);
   RelaxationResult result =
-      relaxation_pack(recipe.cell, mix.bodies, options_of(recipe), run, start);
+      relaxation_pack(recipe.cell, mix.bodies, options_of(recipe, most_restarts), run, start);
   PackOutcome outcome;
   outcome.target_reached = result.stop == RelaxationStop::target_reached;
   outcome.packing = std::move(result.packing);

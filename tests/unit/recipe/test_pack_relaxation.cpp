@@ -77,6 +77,20 @@ TEST_CASE("a recipe says how bodies turn and where they start") {
   CHECK(tensor_change(locked.groups[0]) == 0.0);
 }
 
+TEST_CASE("auto goes on as growth where relaxations stall, but not where tensors are ordered") {
+  const std::string impatient = "[packing.relaxation]\npatience = 1\nmax_relocations = 0\n";
+  const std::string rods =
+      "[[inclusions]]\nshape = \"spherocylinder\"\naspect = 20\ncount = 150\nfraction = 0.2\n";
+  const PackOutcome grown = pack(order(rods + impatient + "start = \"random\"\n"));
+  CHECK(grown.method == "event-driven");
+  CHECK(grown.method_reason == "auto: relaxations stalled");
+  CHECK(grown.target_reached);
+  const PackOutcome kept =
+      pack(order(kFibers + "[packing.relaxation]\npatience = 1\nrelocated_share = 0\n"
+                           "start = \"random\"\nmax_restarts = 0\n"));
+  CHECK(kept.method == "relaxation");
+}
+
 TEST_CASE("a relaxation that ends with overlaps is kept, with the certificate that says so") {
   const PackOutcome outcome = pack(order(kTooMany));
   CHECK_FALSE(outcome.target_reached);
