@@ -134,9 +134,10 @@ void say_what_is_not_there(const PackOutcome& outcome, const PackArguments& argu
     fmt::print(stderr, "packstone: {} {}: not written; the method {} {}\n", option, file,
                outcome.method, reason);
   };
-  say("--timeline", arguments.timeline, outcome.motion || outcome.relaxation, "moves nothing");
+  say("--timeline", arguments.timeline, outcome.motion || outcome.relaxation || outcome.time_driven,
+      "moves nothing");
   say("--checkpoint", arguments.checkpoint, outcome.motion.has_value(),
-      outcome.relaxation ? "keeps none" : "moves nothing");
+      outcome.relaxation || outcome.time_driven ? "keeps none" : "moves nothing");
 }
 
 void write_files(const PackOutcome& outcome, const PackArguments& arguments,
@@ -146,6 +147,9 @@ void write_files(const PackOutcome& outcome, const PackArguments& arguments,
   if (outcome.motion) write_atomically(arguments.timeline, timeline_csv(outcome.motion->history));
   if (outcome.relaxation) {
     write_atomically(arguments.timeline, timeline_csv(outcome.relaxation->history));
+  }
+  if (outcome.time_driven) {
+    write_atomically(arguments.timeline, timeline_csv(outcome.time_driven->history));
   }
 }
 

@@ -122,6 +122,23 @@ Json motion_json(const std::optional<MotionOutcome>& motion) {
           {"growth_rate", report.growth_rate}};
 }
 
+Json time_driven_json(const std::optional<TimeDrivenOutcome>& outcome) {
+  if (!outcome) return nullptr;
+  return {{"start_energy", outcome->start_energy},
+          {"potential_energy", outcome->potential_energy},
+          {"kinetic_energy", outcome->kinetic_energy},
+          {"overlaps", outcome->overlaps},
+          {"deepest", outcome->deepest},
+          {"steps", outcome->steps},
+          {"reshuffles", outcome->reshuffles}};
+}
+
+std::string time_driven_text(const TimeDrivenOutcome& outcome) {
+  return fmt::format("{} steps, {} reshuffles, energy {} of {} at the start", outcome.steps,
+                     outcome.reshuffles, rounded(outcome.potential_energy, 3),
+                     rounded(outcome.start_energy, 3));
+}
+
 std::string sizes_text(const MotionOutcome& motion) {
   return fmt::format("sizes are {:.6g} of those ordered", motion.size_factor);
 }
@@ -129,6 +146,7 @@ std::string sizes_text(const MotionOutcome& motion) {
 // What the method did: positions tried, or collisions.
 std::string work_text(const PackOutcome& outcome) {
   if (outcome.relaxation) return relaxation_text(outcome.relaxation->report);
+  if (outcome.time_driven) return time_driven_text(*outcome.time_driven);
   if (!outcome.motion) {
     return fmt::format("{} trials, {} restarts", outcome.trials, outcome.restarts);
   }
@@ -165,6 +183,8 @@ std::string stop_words(const std::string& stop) {
   if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
   if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
   if (stop == "stagnated") return "stagnated by the published criterion";
+  if (stop == "relaxed") return "the method sees no overlap any more, but there are some";
+  if (stop == "steps_used_up") return "max_steps are used up";
   if (stop == "stalled") return "no attempt came to rest without overlaps";
   if (stop == "cancelled") return "interrupted";
   if (stop == "out_of_time") return "the time limit passed";
@@ -231,6 +251,7 @@ Json outcome_json(const PackOutcome& outcome) {
              outcome.relaxation ? relaxation_json(outcome.relaxation->report) : Json(nullptr)},
             {"groups", groups},
             {"derived", outcome.derived}};
+  text["time_driven"] = time_driven_json(outcome.time_driven);
   text["certificate"] = certificate_json(*outcome.packing.certificate);
   return text;
 }
@@ -307,6 +328,8 @@ std::string shortfall_text(const PackOutcome& outcome) {
     text +=
         "\n  slower growth packs denser (packing.event-driven.growth_rate), as may another --seed; "
         "or order a smaller fraction";
+  } else if (outcome.time_driven) {
+    text += "\n  method = \"relaxation\" ends without overlap";
   } else if (outcome.stop == "stalled") {
     text +=
         "\n  method = \"event-driven\" packs denser; or try another --seed, more restarts "

@@ -27,4 +27,21 @@ std::string timeline_csv(const std::vector<RelaxationSample>& history) {
   return text;
 }
 
+std::string timeline_csv(const std::vector<TimeDrivenSample>& history) {
+  std::string text =
+      "time [T],potential_energy [L^2],kinetic_energy [L^2/T^2],force_factor [1/T^2],"
+      "friction [1/T],overlap_volume [L^3],overlap_volume_error [L^3]\n";
+  for (const TimeDrivenSample& s : history) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},", s.time, s.potential_energy,
+                   s.kinetic_energy, s.force_factor, s.friction);
+    if (s.overlap_measured) {
+      fmt::format_to(std::back_inserter(text), "{},{}\n", s.overlap_volume.value,
+                     s.overlap_volume.error);
+    } else {
+      text += ",\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace packstone::cli

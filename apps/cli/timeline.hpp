@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 
 namespace packstone::cli {
@@ -15,5 +16,6 @@ namespace packstone::cli {
 /// shortest decimals that read back the same.
 [[nodiscard]] std::string timeline_csv(const std::vector<EventDrivenSample>& history);
 [[nodiscard]] std::string timeline_csv(const std::vector<RelaxationSample>& history);
+[[nodiscard]] std::string timeline_csv(const std::vector<TimeDrivenSample>& history);
 
 }  // namespace packstone::cli

@@ -16,6 +16,7 @@
 #include "recipe/run_event_driven.hpp"
 #include "recipe/run_relaxation.hpp"
 #include "recipe/run_rsa.hpp"
+#include "recipe/run_time_driven.hpp"
 
 namespace packstone {
 namespace {
@@ -28,7 +29,8 @@ void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) 
   outcome.packing.certificate = check_packing(outcome.packing, {.min_gap = recipe.min_gap}, whole);
   if (outcome.packing.certificate->passed()) return;
   // Of a relaxation that has not come to its end the certificate says what still overlaps.
-  if (outcome.relaxation && !outcome.target_reached) return;
+  const bool relaxed = outcome.relaxation || outcome.time_driven;
+  if (relaxed && !outcome.target_reached) return;
   outcome.target_reached = false;
   outcome.stop = "check_failed";
 }
@@ -80,6 +82,9 @@ class Run {
     return recipe::for_recipe(recipe_, [&] {
       if (choice_.method == PackMethod::rsa) return recipe::run_rsa(recipe_, mix_, run_);
       if (choice_.method == PackMethod::relaxation) return relaxed(checkpointing);
+      if (choice_.method == PackMethod::time_driven) {
+        return recipe::run_time_driven(recipe_, mix_, run_);
+      }
       return recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
     });
   }

@@ -18,7 +18,8 @@ using Words = std::vector<std::pair<std::string_view, T>>;
 inline const Words<PackMethod> kMethods{{"auto", PackMethod::automatic},
                                         {"rsa", PackMethod::rsa},
                                         {"event-driven", PackMethod::event_driven},
-                                        {"relaxation", PackMethod::relaxation}};
+                                        {"relaxation", PackMethod::relaxation},
+                                        {"time-driven", PackMethod::time_driven}};
 
 inline const Words<RsaOrder> kRsaOrders{{"largest-first", RsaOrder::largest_first},
                                         {"group", RsaOrder::as_given},
@@ -37,6 +38,10 @@ inline const Words<RelaxationTurn> kRelaxationTurns{{"hold-tensor", RelaxationTu
 
 inline const Words<RelaxationFrom> kRelaxationStarts{{"rsa", RelaxationFrom::rsa},
                                                      {"random", RelaxationFrom::random}};
+
+inline const Words<TimeDrivenIntegrator> kIntegrators{
+    {"velocity-verlet", TimeDrivenIntegrator::velocity_verlet},
+    {"leapfrog", TimeDrivenIntegrator::leapfrog}};
 
 /// The word for `value`, which is one of the list.
 template <class T>

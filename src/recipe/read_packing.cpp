@@ -1,6 +1,7 @@
 #include "recipe/read_packing.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "packstone/core/number_text.hpp"
@@ -21,9 +22,10 @@ void read_into(const Entry& entry, const Range& range, double& value, Complaints
   if (entry) value = read_number(entry, range, complaints).value_or(value);
 }
 
-void read_into(const Entry& entry, std::int64_t least, std::int64_t& value,
-               Complaints& complaints) {
-  if (entry) value = read_integer(entry, least, complaints).value_or(value);
+template <class Integer>
+void read_into(const Entry& entry, std::int64_t least, Integer& value, Complaints& complaints) {
+  if (!entry) return;
+  value = static_cast<Integer>(read_integer(entry, least, complaints).value_or(value));
 }
 
 template <class T>
@@ -113,14 +115,57 @@ void read_relaxation(const TableView& packing, RelaxationSettings& settings,
   }
 }
 
+void read_thermostats(const TableView& table, TimeDrivenOptions& options, Complaints& complaints) {
+  const Range not_negative = not_negative_number();
+  read_into(table["damping"], not_negative, options.damping, complaints);
+  read_into(table["berendsen"], not_negative, options.berendsen, complaints);
+  read_into(table["berendsen_temperature"], not_negative, options.berendsen_temperature,
+            complaints);
+  read_into(table["nose_hoover"], not_negative, options.nose_hoover, complaints);
+  read_into(table["nose_hoover_temperature"], not_negative, options.nose_hoover_temperature,
+            complaints);
+  read_into(table["stagnation_steps"], 1, options.stagnation_steps, complaints);
+  read_into(table["stagnation_drop"], fraction_number(), options.stagnation_drop, complaints);
+  read_into(table["reshuffles"], 0, options.reshuffles, complaints);
+  read_into(table["reshuffle_steps"], 1, options.reshuffle_steps, complaints);
+}
+
+void read_time_driven(const TableView& packing, TimeDrivenOptions& options,
+                      Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "time-driven", complaints);
+  if (node == nullptr) return;
+  const TableView table(
+      *node, "packing.time-driven",
+      {"literal", "integrator", "time_step", "damping", "berendsen", "berendsen_temperature",
+       "nose_hoover", "nose_hoover_temperature", "stagnation_steps", "stagnation_drop",
+       "reshuffles", "reshuffle_steps", "rescale", "rescale_limit", "energy_threshold", "max_steps",
+       "history_every", "overlap_volume_every", "overlap_points"},
+      complaints);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  read_into(table["literal"], options.literal, complaints);
+  read_into(table["integrator"], kIntegrators, options.integrator, complaints);
+  read_into(table["time_step"], positive_up_to(1.0, "1"), options.time_step, complaints);
+  read_thermostats(table, options, complaints);
+  read_into(table["rescale"], {.text = "a number >= 1", .lo = 1.0, .hi = kInfinity},
+            options.rescale, complaints);
+  read_into(table["rescale_limit"], {.text = "a number >= 1 and <= 10000", .lo = 1.0, .hi = 1e4},
+            options.rescale_limit, complaints);
+  read_into(table["energy_threshold"], not_negative_number(), options.energy_threshold, complaints);
+  read_into(table["max_steps"], 0, options.max_steps, complaints);
+  read_into(table["history_every"], 1, options.history_every, complaints);
+  read_into(table["overlap_volume_every"], 0, options.overlap_volume_every, complaints);
+  read_into(table["overlap_points"], 2, options.overlap_points, complaints);
+}
+
 }  // namespace
 
 void read_packing_table(const TableView& root, Recipe& order, Complaints& complaints) {
   const toml::table* const node = read_table(root, "packing", complaints);
   if (node == nullptr) return;
-  const TableView table(
-      *node, "packing",
-      {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven", "relaxation"}, complaints);
+  const TableView table(*node, "packing",
+                        {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven",
+                         "relaxation", "time-driven"},
+                        complaints);
   read_into(table["method"], kMethods, order.method, complaints);
   if (const Entry gap = table["min_gap"]) {
     read_into(gap, not_negative_number(), order.min_gap, complaints);
@@ -133,6 +178,7 @@ void read_packing_table(const TableView& root, Recipe& order, Complaints& compla
   read_rsa(table, order.rsa, complaints);
   read_event_driven(table, order.event_driven, complaints);
   read_relaxation(table, order.relaxation, complaints);
+  read_time_driven(table, order.time_driven, complaints);
 }
 
 }  // namespace packstone::recipe

@@ -184,6 +184,28 @@ Json relaxation_json(const RelaxationSettings& settings) {
   return text;
 }
 
+Json time_driven_json(const TimeDrivenOptions& options) {
+  return {{"literal", options.literal},
+          {"integrator", word_for(recipe::kIntegrators, options.integrator)},
+          {"time_step", options.time_step},
+          {"damping", options.damping},
+          {"berendsen", options.berendsen},
+          {"berendsen_temperature", options.berendsen_temperature},
+          {"nose_hoover", options.nose_hoover},
+          {"nose_hoover_temperature", options.nose_hoover_temperature},
+          {"stagnation_steps", options.stagnation_steps},
+          {"stagnation_drop", options.stagnation_drop},
+          {"reshuffles", options.reshuffles},
+          {"reshuffle_steps", options.reshuffle_steps},
+          {"rescale", options.rescale},
+          {"rescale_limit", options.rescale_limit},
+          {"energy_threshold", options.energy_threshold},
+          {"max_steps", options.max_steps},
+          {"history_every", options.history_every},
+          {"overlap_volume_every", options.overlap_volume_every},
+          {"overlap_points", options.overlap_points}};
+}
+
 Json packing_json(const Recipe& recipe) {
   Json text{{"method", std::string(name(recipe.method))},
             {"min_gap", recipe.min_gap},
@@ -192,6 +214,7 @@ Json packing_json(const Recipe& recipe) {
   text["rsa"] = rsa_json(recipe.rsa);
   text["event-driven"] = event_driven_json(recipe.event_driven);
   text["relaxation"] = relaxation_json(recipe.relaxation);
+  text["time-driven"] = time_driven_json(recipe.time_driven);
   return text;
 }
 

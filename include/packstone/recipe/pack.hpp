@@ -11,6 +11,7 @@
 #include "packstone/core/mat.hpp"
 #include "packstone/core/run_context.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/recipe/recipe.hpp"
 #include "packstone/structure/moving_packing.hpp"
@@ -55,13 +56,25 @@ struct RelaxationOutcome {
   std::vector<RelaxationSample> history;  ///< Of the last attempt.
 };
 
+/// What the published relaxation believes, and what is true.
+struct TimeDrivenOutcome {
+  double start_energy = 0.0;      ///< Potential energy at the start [L^2].
+  double potential_energy = 0.0;  ///< And at the end: 0 where it sees no overlap [L^2].
+  double kinetic_energy = 0.0;    ///< At the end [L^2 / T^2].
+  std::int64_t overlaps = 0;      ///< Pairs that are not proven apart.
+  double deepest = 0.0;           ///< Deepest overlap of a pair [L].
+  std::int64_t steps = 0;
+  int reshuffles = 0;  ///< Times that the Nose-Hoover thermostat was switched on.
+  std::vector<TimeDrivenSample> history;
+};
+
 /// What pack() made, beside what was ordered.
 struct PackOutcome {
   Packing packing;  ///< With certificate and provenance.
   /// Everything ordered stands in the size ordered, and the certificate is clean. The goal
   /// "densest" orders no size: it is reached when they jam, and by a time limit as well.
   bool target_reached = false;
-  std::string method;         ///< "rsa", "event-driven", "relaxation".
+  std::string method;         ///< "rsa", "event-driven", "relaxation", "time-driven".
   std::string method_reason;  ///< Why this method, for people.
   std::string stop;           ///< Why it stopped: "target_reached", "saturated", "jammed", ...
   std::vector<GroupOutcome> groups;
@@ -74,7 +87,8 @@ struct PackOutcome {
   std::int64_t trials = 0;              ///< Positions tried, by methods that place inclusions.
   std::int64_t restarts = 0;            ///< Fresh starts.
   std::optional<MotionOutcome> motion;  ///< Of methods that move inclusions and let them grow.
-  std::optional<RelaxationOutcome> relaxation;  ///< Of relaxations.
+  std::optional<RelaxationOutcome> relaxation;   ///< Of relaxations.
+  std::optional<TimeDrivenOutcome> time_driven;  ///< Of the published relaxation.
 };
 
 /// Makes the packing that `recipe` orders and checks it, independently of how it was made.

@@ -15,6 +15,7 @@
 
 #include "packstone/core/cell.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
@@ -28,9 +29,10 @@ enum class PackMethod {
   rsa,           ///< Random sequential adsorption, rsa.hpp.
   event_driven,  ///< Molecular dynamics of bodies that collide and grow, event_driven.hpp.
   relaxation,    ///< Bodies that overlap push each other apart, relaxation.hpp.
+  time_driven,   ///< The published relaxation, to compare with, published_time_driven.hpp.
 };
 
-/// "auto", "rsa", "event-driven", "relaxation": the word used in recipes.
+/// "auto", "rsa", "event-driven", "relaxation", "time-driven": the word used in recipes.
 [[nodiscard]] std::string_view name(PackMethod method) noexcept;
 
 /// `[packing.rsa]`: the fields of RsaOptions that a recipe may set.
@@ -104,6 +106,7 @@ struct Recipe {
   RsaSettings rsa;
   EventDrivenSettings event_driven;
   RelaxationSettings relaxation;
+  TimeDrivenOptions time_driven;  ///< `[packing.time-driven]`, its seed apart.
   /// Where what was ordered stands, for messages: by key ("inclusions[0].count", "packing.min_gap")
   /// the words "fibers.toml:7: inclusions[0].count = 20". The size of a group stands under
   /// "inclusions[0].size", whichever key gives it. Empty for a recipe that was not read.
