@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
-DEMO := fibers spheres ellipses_2d dense_ellipsoids
+DEMO := fibers spheres ellipses_2d dense_ellipsoids relaxed_fibers
 
 .PHONY: help setup setup-test build demo test validate bench reproduce format check-format layers tidy sanitize tsan fuzz coverage install clean
 
