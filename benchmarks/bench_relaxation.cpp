@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -26,23 +25,13 @@
 #include "packstone/structure/orientation_order.hpp"
 #include "salnikov_2014.hpp"
 #include "scenes.hpp"
+#include "timing.hpp"
 
 namespace {
 
 using namespace packstone;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class T>
-T median(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using benchmarks::median;
+using benchmarks::processor_seconds;
 
 struct Outcome {
   double seconds = 0.0;
@@ -72,8 +61,7 @@ std::vector<Vec3> centers_from_rsa(const std::vector<OrderedBody>& bodies, doubl
 Outcome run_once(const std::vector<OrderedBody>& bodies, std::uint64_t seed, const Mode& mode) {
   RunContext run;
   run.threads(mode.threads);
-  run.deadline(RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(
-                                              std::chrono::duration<double>(mode.limit_s)));
+  run.time_limit(mode.limit_s);
   RelaxationStart start;
   if (mode.start > 0.0) {
     start = [&](std::int64_t attempt) {

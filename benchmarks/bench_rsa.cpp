@@ -15,7 +15,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -25,23 +24,13 @@
 #include "packstone/geometry/measures.hpp"
 #include "salnikov_2014.hpp"
 #include "scenes.hpp"
+#include "timing.hpp"
 
 namespace {
 
 using namespace packstone;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class T>
-T median(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using benchmarks::median;
+using benchmarks::processor_seconds;
 
 struct Outcome {
   double seconds = 0.0;
@@ -55,8 +44,7 @@ Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& optio
                  const Cell& cell = {}, int threads = 1) {
   RunContext run;
   run.threads(threads);
-  run.deadline(RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(
-                                              std::chrono::duration<double>(limit_s)));
+  run.time_limit(limit_s);
   const auto begin = RunContext::Clock::now();
   const double before = processor_seconds();
   const RsaResult result = rsa_pack(cell, bodies, options, run);

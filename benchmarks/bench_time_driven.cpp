@@ -12,11 +12,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <numeric>
 #include <string>
@@ -27,23 +25,13 @@
 
 #include "packstone/generate/published_time_driven.hpp"
 #include "scenes.hpp"
+#include "timing.hpp"
 
 namespace {
 
 using namespace packstone;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class T>
-T median(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using benchmarks::median;
+using benchmarks::processor_seconds;
 
 struct Scene {
   int count_each;
@@ -60,11 +48,7 @@ double radius_of_cylinders(const Scene& scene) {
   return std::get<Cylinder>(bodies_of(scene, 1).front().body).radius;
 }
 
-RunContext limited(double limit_s) {
-  const std::chrono::duration<double> limit(limit_s);
-  return RunContext().deadline(RunContext::Clock::now() +
-                               std::chrono::duration_cast<RunContext::Clock::duration>(limit));
-}
+RunContext limited(double limit_s) { return RunContext().time_limit(limit_s); }
 
 // Seeds 1 to `runs` of one scene.
 struct Runs {

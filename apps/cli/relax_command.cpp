@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <limits>
 #include <map>
 #include <memory>
@@ -45,11 +44,7 @@ RelaxationOptions options_of(const RelaxArguments& arguments, const Packing& pac
 RelaxationResult relax_with_progress(const Packing& packing, const RelaxArguments& arguments) {
   RunContext run;
   run.cancel_flag(&interrupt_flag()).threads(arguments.threads);
-  if (const auto limit = seconds_in(arguments.time_limit)) {
-    const std::chrono::duration<double> seconds(*limit);
-    run.deadline(RunContext::Clock::now() +
-                 std::chrono::duration_cast<RunContext::Clock::duration>(seconds));
-  }
+  if (const auto limit = seconds_in(arguments.time_limit)) run.time_limit(*limit);
   ProgressPrinter printer;
   if (!arguments.quiet) {
     run.on_progress([&printer](const Progress& progress) { printer.print(progress); });

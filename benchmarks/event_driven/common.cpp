@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <utility>
 
@@ -13,12 +12,6 @@
 #include "scenes.hpp"
 
 namespace packstone::benchmarks {
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // getrusage() would also count the program that started this one.
 long peak_megabytes() {
@@ -29,12 +22,6 @@ long peak_megabytes() {
     if (word == "VmHWM:") status >> kilobytes;
   }
   return kilobytes / 1024;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double log_slope(const std::vector<double>& x, const std::vector<double>& y) {

@@ -11,17 +11,12 @@
 #include "packstone/core/cell.hpp"
 #include "packstone/generate/event_driven.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
+#include "timing.hpp"
 
 namespace packstone::benchmarks {
 
-/// Of this process, all threads [s].
-[[nodiscard]] double processor_seconds();
-
 /// Largest memory of this process so far [MB]; 0 where the system does not tell.
 [[nodiscard]] long peak_megabytes();
-
-/// The value in the middle; of an even number the upper one.
-[[nodiscard]] double median(std::vector<double> values);
 
 /// Slope of the straight line through (ln x, ln y) of least squares; 0 for less than two points.
 [[nodiscard]] double log_slope(const std::vector<double>& x, const std::vector<double>& y);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -51,8 +50,7 @@ struct Published {
 void add_run(const EllipsoidScene& scene, PublishedForm form, std::uint64_t seed, double limit_s,
              Published& of) {
   RunContext run;
-  run.deadline(RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(
-                                              std::chrono::duration<double>(limit_s)));
+  run.time_limit(limit_s);
   const auto bodies = scenes::ellipsoids(scene, seed);
   const double begin = processor_seconds();
   PublishedResult result = published_event_driven_pack({}, bodies, options_of(form, seed), run);

@@ -64,15 +64,6 @@ void check_bodies(const Cell& cell, const std::vector<OrderedBody>& bodies,
   if (options.goal != EventDrivenGoal::densest) check_room(cell, bodies, options.min_gap);
 }
 
-std::vector<OrderedBody> ordered_bodies(const Packing& packing) {
-  std::vector<OrderedBody> bodies;
-  bodies.reserve(packing.inclusions.size());
-  for (const Inclusion& inclusion : packing.inclusions) {
-    bodies.push_back({inclusion.body, inclusion.group});
-  }
-  return bodies;
-}
-
 // Radius of the ball (disk) of the mean volume of all bodies.
 double mean_radius(const Packing& packing) {
   const double mean =

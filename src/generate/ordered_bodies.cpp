@@ -2,10 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "packstone/core/error.hpp"
 #include "packstone/structure/images.hpp"
 
 namespace packstone {
+
+int group_count(const std::vector<OrderedBody>& bodies) {
+  int count = 0;
+  for (const OrderedBody& body : bodies) count = std::max(count, body.group + 1);
+  return count;
+}
+
+Packing packing_at(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                   const std::vector<Vec3>& centers) {
+  Packing packing;
+  packing.cell = cell;
+  packing.groups.resize(static_cast<std::size_t>(group_count(bodies)));
+  packing.inclusions.reserve(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    packing.inclusions.push_back({centers[k], bodies[k].body, bodies[k].group});
+  }
+  return packing;
+}
+
+std::vector<OrderedBody> ordered_bodies(const Packing& packing) {
+  std::vector<OrderedBody> bodies;
+  bodies.reserve(packing.inclusions.size());
+  for (const Inclusion& inclusion : packing.inclusions) {
+    bodies.push_back({inclusion.body, inclusion.group});
+  }
+  return bodies;
+}
 
 void check_ordered(const Cell& cell, const OrderedBody& ordered, std::int64_t k) {
   try {

@@ -1,16 +1,27 @@
 #pragma once
 
 /// @file
-/// What every generator asks of the bodies that it is to place.
+/// What every generator asks of the bodies that it is to place, and how they stand in a packing.
 
 #include <cstdint>
 #include <vector>
 
 #include "packstone/core/cell.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
+#include "packstone/structure/packing.hpp"
 #include "packstone/structure/standing.hpp"
 
 namespace packstone {
+
+/// One more than the largest group of any body.
+[[nodiscard]] int group_count(const std::vector<OrderedBody>& bodies);
+
+/// The bodies in `cell`, body k about centers[k]; the groups have no names.
+[[nodiscard]] Packing packing_at(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                                 const std::vector<Vec3>& centers);
+
+/// The bodies of a packing, in its order.
+[[nodiscard]] std::vector<OrderedBody> ordered_bodies(const Packing& packing);
 
 /// Throws InvalidArgument unless `ordered` is a body of the kind of this cell. `k` is its number in
 /// the order.

@@ -101,17 +101,11 @@ Vec3 random_center(const Cell& cell, const Body& body, std::uint64_t seed, std::
 
 Packing at_random_centers(const Cell& cell, const std::vector<OrderedBody>& bodies,
                           std::uint64_t seed) {
-  Packing packing;
-  packing.cell = cell;
-  int groups = 0;
+  std::vector<Vec3> centers(bodies.size());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const OrderedBody& ordered = bodies[k];
-    packing.inclusions.push_back(
-        {random_center(cell, ordered.body, seed, k), ordered.body, ordered.group});
-    groups = std::max(groups, ordered.group + 1);
+    centers[k] = random_center(cell, bodies[k].body, seed, k);
   }
-  packing.groups.resize(static_cast<std::size_t>(groups));
-  return packing;
+  return packing_at(cell, bodies, centers);
 }
 
 /// Steps until there is a reason to stop.
@@ -241,11 +235,7 @@ TimeDrivenResult published_time_driven_relax(Packing start, const TimeDrivenOpti
   check_forces(options);
   check_schedule(options);
   check_well_formed(start);
-  std::vector<OrderedBody> bodies;
-  for (const Inclusion& inclusion : start.inclusions) {
-    bodies.push_back({inclusion.body, inclusion.group});
-  }
-  check_order(start.cell, bodies);
+  check_order(start.cell, ordered_bodies(start));
   return Relaxation(std::move(start), options).run(run);
 }
 

@@ -46,12 +46,6 @@ bool is_locked(const RelaxationOptions& options, int group) {
          options.turn[static_cast<std::size_t>(group)] == RelaxationTurn::locked;
 }
 
-int group_count(const std::vector<OrderedBody>& bodies) {
-  int count = 0;
-  for (const OrderedBody& body : bodies) count = std::max(count, body.group + 1);
-  return count;
-}
-
 void check_bodies(const Cell& cell, const std::vector<OrderedBody>& bodies,
                   const RelaxationOptions& options) {
   std::int64_t k = 0;
@@ -75,17 +69,6 @@ std::vector<Vec3> random_centers(const Cell& cell, std::size_t count, std::uint6
     }
   }
   return centers;
-}
-
-Packing placed(const Cell& cell, const std::vector<OrderedBody>& bodies,
-               const std::vector<Vec3>& centers) {
-  Packing packing;
-  packing.cell = cell;
-  packing.groups.resize(static_cast<std::size_t>(group_count(bodies)));
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    packing.inclusions.push_back({centers[i], bodies[i].body, bodies[i].group});
-  }
-  return packing;
 }
 
 // Attempt after attempt; keeps the best.
@@ -146,7 +129,7 @@ RelaxationResult relaxation_pack(const Cell& cell, const std::vector<OrderedBody
   for (std::int64_t number = 0; number <= options.max_restarts; ++number) {
     const std::vector<Vec3> centers =
         start ? start(number) : random_centers(cell, bodies.size(), options.seed, number);
-    if (!runs.attempt(placed(cell, bodies, centers), number)) break;
+    if (!runs.attempt(packing_at(cell, bodies, centers), number)) break;
   }
   return runs.result();
 }

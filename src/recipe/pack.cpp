@@ -1,7 +1,5 @@
 #include "packstone/recipe/pack.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <limits>
 #include <utility>
@@ -37,12 +35,7 @@ void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) 
 
 RunContext within_time(const Recipe& recipe, RunContext run) {
   if (!recipe.time_limit) return run;
-  // A limit beyond a century is none; the clock could not hold it.
-  constexpr double kCentury = 3e9;
-  const std::chrono::duration<double> limit(std::min(*recipe.time_limit, kCentury));
-  const auto end =
-      RunContext::Clock::now() + std::chrono::duration_cast<RunContext::Clock::duration>(limit);
-  return run.deadline(std::min(end, run.deadline()));
+  return run.time_limit(*recipe.time_limit);
 }
 
 void check_recipe(const Recipe& recipe) {

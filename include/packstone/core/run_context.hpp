@@ -3,6 +3,7 @@
 /// @file
 /// What long work hears from its caller and tells it: cancellation, time limit, threads, progress.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -43,6 +44,14 @@ class RunContext {
   RunContext& deadline(Clock::time_point when) {
     deadline_ = when;
     return *this;
+  }
+  /// Work stops soon after that many seconds from now, or at the deadline set before, whichever is
+  /// earlier. A limit beyond a century is none: the clock could not hold it.
+  RunContext& time_limit(double seconds) {
+    constexpr double kCentury = 3e9;
+    const std::chrono::duration<double> limit(std::min(seconds, kCentury));
+    return deadline(
+        std::min(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit), deadline_));
   }
   /// Worker threads; results do not depend on it. 0: as many as the machine has.
   RunContext& threads(int count) {

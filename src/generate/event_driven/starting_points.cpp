@@ -5,6 +5,7 @@
 
 #include "generate/event_driven/neighborhoods.hpp"
 #include "generate/event_driven/run_state.hpp"
+#include "generate/ordered_bodies.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
@@ -28,15 +29,9 @@ Vec3 random_point(const Cell& cell, std::uint64_t seed, std::size_t item, std::u
 
 Packing at_random_points(const Cell& cell, const std::vector<OrderedBody>& bodies,
                          std::uint64_t seed) {
-  Packing packing;
-  packing.cell = cell;
-  int groups = 0;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    packing.inclusions.push_back({random_point(cell, seed, k, 0), bodies[k].body, bodies[k].group});
-    groups = std::max(groups, bodies[k].group + 1);
-  }
-  packing.groups.resize(static_cast<std::size_t>(groups));
-  return packing;
+  std::vector<Vec3> points(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) points[k] = random_point(cell, seed, k, 0);
+  return packing_at(cell, bodies, points);
 }
 
 // Random places at which bodies of one size factor do not touch.

@@ -3,7 +3,6 @@
 /// @file
 /// One attempt: from a start to rest, or to where nothing helps.
 
-#include <optional>
 #include <vector>
 
 #include "generate/relaxation/bodies.hpp"

@@ -33,7 +33,6 @@ class NearPairs {
 
   [[nodiscard]] NearPair* begin(std::size_t i) { return pairs_.data() + first_[i]; }
   [[nodiscard]] NearPair* end(std::size_t i) { return pairs_.data() + first_[i + 1]; }
-  [[nodiscard]] std::size_t size() const { return pairs_.size(); }
 
  private:
   Cell cell_;
