@@ -71,7 +71,7 @@ void NearPairs::find(const Bodies& bodies, double margin, int threads) {
           for (std::size_t i = c * kChunk; i < last; ++i) {
             const std::size_t before = found[c].size();
             grid.query(capsules[i], scratch, [&](std::int32_t j, const CapsuleGrid::Image& image) {
-              if (!is_first_of_two(i, j, image)) return;
+              if (!is_first_of_two(i, j, image)) return true;
               NearPair pair;
               pair.other = j;
               const Wrap& there = wraps[static_cast<std::size_t>(j)];
@@ -80,6 +80,7 @@ void NearPairs::find(const Bodies& bodies, double margin, int threads) {
               }
               pair.hint = hint_of(i, pair);
               found[c].push_back(pair);
+              return true;
             });
             counts[i + 1] = found[c].size() - before;
           }

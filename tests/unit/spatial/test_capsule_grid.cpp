@@ -74,7 +74,10 @@ class Filled {
 
   [[nodiscard]] Found query(const Capsule& c) {
     Found found;
-    grid_.query(c, scratch_, [&](std::int32_t i, const Image& image) { ++found[{i, image}]; });
+    grid_.query(c, scratch_, [&](std::int32_t i, const Image& image) {
+      ++found[{i, image}];
+      return true;
+    });
     return found;
   }
 
@@ -189,7 +192,10 @@ TEST_CASE("the grid finds those of one crowded place, and none when it is empty"
   const auto found = [&] {
     std::set<std::int32_t> bodies;
     CapsuleGrid::Scratch scratch;
-    grid.query(spot, scratch, [&](std::int32_t i, const Image&) { bodies.insert(i); });
+    grid.query(spot, scratch, [&](std::int32_t i, const Image&) {
+      bodies.insert(i);
+      return true;
+    });
     return bodies.size();
   };
   CHECK(found() == 0);
@@ -217,6 +223,7 @@ TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
   grid.query({{last, 0, 0}, {0, 0, 1}, 0.0, 0.01}, scratch,
              [&](std::int32_t i, const Image& image) {
                found.insert({i, image});
+               return true;
              });
   CHECK(found ==
         std::set<std::pair<std::int32_t, Image>>{{0, {1, 0, 0}}, {1, {0, 0, 0}}, {3, {0, -1, -1}}});
