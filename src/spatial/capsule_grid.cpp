@@ -49,6 +49,7 @@ void move_lane(const CapsuleChunk& from, std::size_t lane, CapsuleChunk& to, std
     (to.*lanes)[there] = (from.*lanes)[lane];
   }
   to.body[there] = from.body[lane];
+  to.greatest = std::max(to.greatest, from.body[lane]);
   std::copy_n(from.wrap[lane], 3, to.wrap[there]);
 }
 
@@ -187,6 +188,7 @@ void CapsuleGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
   chunk.half[lane] = static_cast<float>(piece.half);
   chunk.radius[lane] = static_cast<float>(piece.radius);
   chunk.body[lane] = body;
+  chunk.greatest = std::max(chunk.greatest, body);
   for (std::size_t a = 0; a < 3; ++a) chunk.wrap[lane][a] = static_cast<std::int16_t>(wrap[a]);
 }
 

@@ -68,22 +68,23 @@ class CapsuleGrid {
   /// of threads may ask at once, as long as none inserts or removes.
   ///
   /// @param visit  Returns true to go on, false to end the query.
+  /// @param from   Leaves out bodies of a lower number.
   /// @returns      false when visit ended it.
   template <class Visit>
-  bool query(const Capsule& capsule, Scratch& scratch, Visit&& visit) const {
+  bool query(const Capsule& capsule, Scratch& scratch, Visit&& visit, std::int32_t from = 0) const {
     scratch.found_.clear();
     scratch.first_.resize(places_.size());
     const auto visit_new = [&](const Level& level, std::int32_t body, const Image& image) {
-      return (level.cut && !scratch.is_new(body, image)) || visit(body, image);
+      return body < from || (level.cut && !scratch.is_new(body, image)) || visit(body, image);
     };
-    return query_levels(capsule, visit_new);
+    return query_levels(capsule, from, visit_new);
   }
 
   /// The same, but a body that is cut may be visited once for each of its pieces that meets the
   /// capsule. For those who look for the first that does.
   template <class Visit>
   bool query_pieces(const Capsule& capsule, Visit&& visit) const {
-    return query_levels(capsule, [&](const Level&, std::int32_t body, const Image& image) {
+    return query_levels(capsule, 0, [&](const Level&, std::int32_t body, const Image& image) {
       return visit(body, image);
     });
   }
@@ -160,14 +161,15 @@ class CapsuleGrid {
   }
 
   template <class Visit>
-  bool query_levels(const Capsule& capsule, const Visit& visit) const {
+  bool query_levels(const Capsule& capsule, std::int32_t from, const Visit& visit) const {
     return std::all_of(levels_.begin(), levels_.end(), [&](const Level& level) {
-      return level.pieces == 0 || query_level(level, capsule, visit);
+      return level.pieces == 0 || query_level(level, capsule, from, visit);
     });
   }
 
   template <class Visit>
-  bool query_level(const Level& level, const Capsule& capsule, const Visit& visit) const {
+  bool query_level(const Level& level, const Capsule& capsule, std::int32_t from,
+                   const Visit& visit) const {
     const auto as_float = [](double x) { return static_cast<float>(x); };
     SeenCapsule seen{0,
                      0,
@@ -210,7 +212,7 @@ class CapsuleGrid {
           const int mx = floor_div(kx, nx);
           seen.x = as_float(capsule.center.x - mx * cell_.size.x);
           const auto head = static_cast<std::size_t>(row + kx - mx * nx);
-          if (!visit_chain(level, head, seen, {mx, my, mz}, visit)) return false;
+          if (!visit_chain(level, head, seen, {mx, my, mz}, from, visit)) return false;
         }
       }
     }
@@ -219,10 +221,11 @@ class CapsuleGrid {
 
   template <class Visit>
   bool visit_chain(const Level& level, std::size_t head, const SeenCapsule& seen,
-                   const Image& cell_image, const Visit& visit) const {
+                   const Image& cell_image, std::int32_t from, const Visit& visit) const {
     for (const CapsuleChunk* chunk = &level.chunks[head]; chunk->count > 0;
          chunk = &level.chunks[static_cast<std::size_t>(chunk->next)]) {
-      for (unsigned hits = hits_(*chunk, seen); hits != 0; hits &= hits - 1) {
+      unsigned hits = chunk->greatest < from ? 0 : hits_(*chunk, seen);
+      for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(__builtin_ctz(hits));
         const std::int32_t body = chunk->body[lane];
         const auto& wrap = chunk->wrap[lane];

@@ -207,6 +207,33 @@ TEST_CASE("the grid finds those of one crowded place, and none when it is empty"
   CHECK(found() == 0);
 }
 
+TEST_CASE("a query leaves out lower numbers, and pieces of one body come one by one") {
+  CapsuleGrid grid(Cell{});
+  const Capsule rod{{0.5, 0.5, 0.5}, {0, 0, 1}, 0.4, 0.01};
+  const std::vector<Capsule> rods(400, rod);
+  grid.reset(rods);
+  for (std::size_t k = 0; k < rods.size(); ++k) grid.insert(static_cast<std::int32_t>(k), rod);
+  grid.remove(399);
+  CapsuleGrid::Scratch scratch;
+  std::multiset<std::int32_t> found, pieces;
+  const auto note_in = [](auto& numbers) {
+    return [&numbers](std::int32_t i, const Image&) {
+      numbers.insert(i);
+      return true;
+    };
+  };
+  CHECK(grid.query(rod, scratch, note_in(found), 392));
+  CHECK(found == std::multiset<std::int32_t>{392, 393, 394, 395, 396, 397, 398});
+  CHECK(grid.query_pieces(rod, note_in(pieces)));
+  CHECK(pieces.size() > 399);
+  CHECK(std::set<std::int32_t>(pieces.begin(), pieces.end()).size() == 399);
+  int visits = 0;
+  const auto stop = [&](std::int32_t, const Image&) { return ++visits < 3; };
+  CHECK_FALSE(grid.query(rod, scratch, stop));
+  CHECK_FALSE(grid.query_pieces(rod, stop));
+  CHECK(visits == 4);
+}
+
 TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
   const Cell cell{};
   CapsuleGrid grid(cell);
