@@ -83,7 +83,7 @@ std::string show_path(const PublishedPair& pair, std::string_view form, TimeDriv
 }
 
 void show_end(const PublishedPair& pair, std::string_view form, const Packing& end,
-              const std::string& types, std::int64_t steps, std::string_view stop) {
+              const std::string& types, std::int64_t steps, int reshuffles) {
   const Packing start = in_cell(pair, kEdge);
   const auto moved = [&](std::size_t k) {
     return norm(end.inclusions[k].center - start.inclusions[k].center);
@@ -92,7 +92,8 @@ void show_end(const PublishedPair& pair, std::string_view form, const Packing& e
     return turned(start.inclusions[k].body, end.inclusions[k].body);
   };
   fmt::print("pair {} {} {} {:.4f} {:.1e} {:.3f} {:.3f} {:.1f} {:.1f} {} {}\n", pair.figure, form,
-             types, gap_in(start), gap_in(end), moved(0), moved(1), turn(0), turn(1), steps, stop);
+             types, gap_in(start), gap_in(end), moved(0), moved(1), turn(0), turn(1), steps,
+             reshuffles);
 }
 
 // The ways of one pair, by name.
@@ -103,14 +104,14 @@ Packing show_published(const PublishedPair& pair, std::string_view form, bool li
   options.literal = literal;
   const TimeDrivenResult result = published_time_driven_relax(in_cell(pair, kEdge), options);
   const std::string types = show_path(pair, form, options, result.steps);
-  show_end(pair, form, result.packing, types, result.steps, name(result.stop));
+  show_end(pair, form, result.packing, types, result.steps, result.reshuffles);
   return result.packing;
 }
 
 Packing show_exact(const PublishedPair& pair) {
   const RelaxationOptions free{.turn = {RelaxationTurn::free, RelaxationTurn::free}};
   const RelaxationResult result = relax(in_cell(pair, kEdge), free);
-  show_end(pair, "exact", result.packing, "-", result.report.iterations, name(result.stop));
+  show_end(pair, "exact", result.packing, "-", result.report.iterations, 0);
   return result.packing;
 }
 
@@ -147,7 +148,7 @@ void write_for_pictures(const PublishedPair& pair, Forms forms,
 
 void show_pairs(const std::filesystem::path& folder) {
   fmt::print(
-      "# figure form types gap-start gap-end moved-a moved-b turned-a turned-b steps stop\n");
+      "# figure form types gap-start gap-end moved-a moved-b turned-a turned-b steps reshuffles\n");
   for (const PublishedPair& pair : scenes::published_pairs()) {
     Forms forms{{"before", in_cell(pair, kEdge)}};
     forms["literal"] = show_published(pair, "literal", true);
