@@ -15,15 +15,17 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs" / "reproduction"
 
 
-def command_line(text, trial):
-    """Arguments of such a command; `trial`: how long --quick takes."""
+def command_line(text, trial=None, folder="reproduction"):
+    """Arguments of such a command; `trial`: how long --quick takes, where there is one; `folder`: of the build, for what
+    was measured."""
     parser = argparse.ArgumentParser(description=text.split("\n\n")[0])
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build", help="folder of the build")
-    parser.add_argument("--work", type=pathlib.Path, help="folder for what was measured; default: BUILD/reproduction")
-    parser.add_argument("--quick", action="store_true", help=f"few seeds and small numbers: a trial of {trial}")
-    parser.add_argument("--reuse", action="store_true", help="measure only what --work does not hold yet")
+    parser.add_argument("--work", type=pathlib.Path, help=f"folder for what was measured; default: BUILD/{folder}")
+    if trial:
+        parser.add_argument("--quick", action="store_true", help=f"few seeds and small numbers: a trial of {trial}")
+        parser.add_argument("--reuse", action="store_true", help="measure only what --work does not hold yet")
     arguments = parser.parse_args()
-    arguments.work = arguments.work or arguments.build / "reproduction"
+    arguments.work = arguments.work or arguments.build / folder
     arguments.program = arguments.build / "packstone"
     arguments.work.mkdir(parents=True, exist_ok=True)
     return arguments
@@ -40,21 +42,23 @@ def have_plots():
 
 class Measured:
     """Lines of the modes of a benchmark, split into words; kept as text in a folder. `effort`: the arguments of each
-    mode; `skip`: words that each line begins with for people."""
+    mode; `skip`: words that each line begins with for people; `alias`: what a mode is called by the benchmark, where one
+    of its modes is run with several arguments."""
 
-    def __init__(self, arguments, bench, effort, skip=0):
+    def __init__(self, arguments, bench, effort, skip=0, alias=None):
         self.bench = arguments.build / "benchmarks" / bench
         self.work = arguments.work
         self.effort = effort
         self.reuse = arguments.reuse
         self.skip = skip
+        self.alias = alias or {}
         self.lines = {}
 
-    def run(self, mode, log_name=None):
-        log = self.work / f"{log_name or mode}.txt"
+    def run(self, mode):
+        log = self.work / f"{mode}.txt"
         if not (self.reuse and log.exists()):
             print(self.command(mode), flush=True)
-            done = subprocess.run([self.bench, mode, *self.effort[mode]], stdout=subprocess.PIPE, text=True)
+            done = subprocess.run([self.bench, *self.words(mode)], stdout=subprocess.PIPE, text=True)
             if done.returncode not in (0, 1):
                 sys.exit(f"{self.bench.name} {mode} ended with {done.returncode}")
             log.write_text(done.stdout)
@@ -62,8 +66,16 @@ class Measured:
         self.lines[mode] = [row[self.skip:] for row in rows]
         self.lines[f"{mode} head"] = log.read_text().splitlines()[0].lstrip("# ")
 
+    def run_all(self):
+        for mode in self.effort:
+            self.run(mode)
+        return self
+
+    def words(self, mode):
+        return [self.alias.get(mode, mode), *self.effort[mode]]
+
     def command(self, mode):
-        return " ".join([self.bench.name, mode, *(str(word) for word in self.effort[mode])])
+        return " ".join([self.bench.name, *self.words(mode)])
 
     def rows(self, mode, *first):
         """The rest of each line that begins with the words `first`."""
@@ -71,8 +83,11 @@ class Measured:
 
     def effort_of(self, mode):
         """"7 seeds each", from the first line of a mode."""
-        seeds = int(self.lines[f"{mode} head"].split()[0])
-        return f"{seeds} seeds each" if seeds > 1 else "a single seed each"
+        return seeds_each(self.lines[f"{mode} head"].split()[0])
+
+
+def seeds_each(count):
+    return f"{count} seeds each" if int(count) > 1 else "a single seed each"
 
 
 def packed(program, recipe, packing, *options):
@@ -122,7 +137,7 @@ class Pictures:
         fewer_colors(self.path(name), self.most_bytes)
 
     def draw_beside(self, program, packings, name, *options):
-        """Packings side by side in one picture."""
+        """Packings side by side in one picture. Undithered, which smooth bodies need less than size does."""
         from PIL import Image
         parts = []
         for packing in packings:
@@ -134,9 +149,10 @@ class Pictures:
         for part in parts:
             whole.paste(part, (left, 0))
             left += part.width
-        # Undithered: shades of two or three colors, which 64 of them show well.
-        whole.quantize(64, dither=Image.Dither.NONE).save(self.path(name), optimize=True)
-        fewer_colors(self.path(name), self.most_bytes, (whole.width, whole.width * 3 // 4, whole.width // 2))
+        for colors in (256, 128, 64, 32):
+            whole.quantize(colors, dither=Image.Dither.NONE).save(self.path(name), optimize=True)
+            if self.path(name).stat().st_size <= self.most_bytes:
+                return
 
     def save(self, figure, name):
         figure.tight_layout()
