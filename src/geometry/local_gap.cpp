@@ -41,8 +41,8 @@ bool gap_of_capsules(const PosedBody& a, const PosedBody& b, const Vec3& r, doub
   }
   const double radii = a.lateral + b.lateral;
   const double distance = norm(axes.between);
-  if (distance - radii >= limit) return false;
   found.value = distance - radii;
+  if (found.value >= limit) return false;
   found.normal = direction_between(axes.between, distance, radii, a, b, hint);
   found.point_a = axes.on_a + a.lateral * found.normal;
   found.point_b = axes.on_b - b.lateral * found.normal;
@@ -114,7 +114,8 @@ bool local_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, double lim
     return gap_of_capsules(a, b, r, limit, hint, found);
   }
   if (hint == Vec3{}) hint = FirstLook(a, b, r).direction();
-  if (gap_along(a, b, r, hint) >= limit) return false;
+  found.value = gap_along(a, b, r, hint);
+  if (found.value >= limit) return false;
   for (int climb = 0; climb < kMostClimbs; ++climb) {
     if (climb_gap(a, b, r, hint, kAccuracy)) break;
   }

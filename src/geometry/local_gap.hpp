@@ -24,7 +24,8 @@ struct LocalGap {
 };
 
 /// Whether the gap of a and b, r from center to center, may be below `limit` [L]: then it is in
-/// `found`. False where a direction shows that it is not.
+/// `found`. False where a direction shows that it is not; found.value is then a lower bound on it
+/// that is not below `limit`, and the rest of `found` is not set.
 ///
 /// `hint`: the direction that the last search for this pair ended with, 0 for none; set anew.
 /// Cost: 5 ns for balls, 20 ns for spherocylinders, else 0.1 to 0.5 us from a good hint, 1 us

@@ -1,6 +1,7 @@
 #include "generate/relaxation/descent.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "packstone/core/parallel.hpp"
@@ -29,9 +30,14 @@ void for_chunks(std::size_t size, int threads, Part&& part) {
 double inner_product(const Motion& x, const Motion& y, int threads) {
   std::vector<double> sums((x.size() + kChunk - 1) / kChunk, 0.0);
   for_chunks(x.size(), threads, [&](std::size_t c, std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t k = begin; k < end; ++k) sum += x[k] * y[k];
-    sums[c] = sum;
+    // Side by side, since one sum would wait for itself at every step.
+    std::array<double, 8> parts{};
+    std::size_t k = begin;
+    for (; k + parts.size() <= end; k += parts.size()) {
+      for (std::size_t l = 0; l < parts.size(); ++l) parts[l] += x[k + l] * y[k + l];
+    }
+    for (; k < end; ++k) parts[0] += x[k] * y[k];
+    for (const double part : parts) sums[c] += part;
   });
   double sum = 0.0;
   for (const double part : sums) sum += part;

@@ -2,39 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <tuple>
 
 #include "packstone/core/parallel.hpp"
-#include "spatial/capsule_grid.hpp"
 
 namespace packstone::relaxation {
 namespace {
 
-constexpr std::int64_t kChunk = 512;
-
-using Wrap = std::array<int, 3>;
-
-std::vector<Wrap> wraps_of(const Bodies& bodies, const Cell& cell) {
-  std::vector<Wrap> wraps(bodies.count());
-  for (std::size_t i = 0; i < bodies.count(); ++i) {
-    for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
-      if (!cell.periodic[a]) continue;
-      wraps[i][a] = static_cast<int>(std::floor(bodies.posed[i].pose.center[a] / cell.size[a]));
-    }
-  }
-  return wraps;
-}
-
-// Two bodies push each other from as far as the lesser of their shells.
-std::vector<Capsule> capsules_of(const Bodies& bodies, const Cell& cell,
-                                 const std::vector<Wrap>& wraps, double margin) {
-  std::vector<Capsule> capsules;
-  capsules.reserve(bodies.count());
-  for (std::size_t i = 0; i < bodies.count(); ++i) {
-    const double around = 0.5 * (margin + bodies.min_gap + bodies.shell[i]);
-    capsules.push_back(capsule_about(bodies.posed[i], around));
-    capsules.back().center -= image_shift(cell, wraps[i]);
-  }
-  return capsules;
+// The most that a point of a body has moved from where it was.
+double moved(const Bodies& bodies, std::size_t i, const Pose& from) {
+  const Pose& now = bodies.posed[i].pose;
+  const double shifted = norm(now.center - from.center);
+  if (bodies.turning[i].slot < 0) return shifted;
+  double turned = norm(now.axis - from.axis);
+  if (bodies.posed[i].form == Form::scalene) turned += norm(now.second - from.second);
+  // An arc is at most pi / 2 times its chord.
+  return shifted + 1.6 * turned * bodies.slope[i];
 }
 
 bool is_first_of_two(std::size_t i, std::int32_t other, const CapsuleGrid::Image& image) {
@@ -42,77 +26,138 @@ bool is_first_of_two(std::size_t i, std::int32_t other, const CapsuleGrid::Image
   return other > own || (other == own && image > CapsuleGrid::Image{0, 0, 0});
 }
 
+auto name_of(const NearPair& pair) { return std::tie(pair.body, pair.other, pair.image); }
+
+bool by_name(const NearPair& p, const NearPair& q) { return name_of(p) < name_of(q); }
+
+// Gives `pairs` the hints of those of the same name among `known`.
+void keep_hints(std::vector<NearPair> known, std::vector<NearPair>& pairs) {
+  std::sort(known.begin(), known.end(), by_name);
+  for (NearPair& pair : pairs) {
+    const auto at = std::lower_bound(known.begin(), known.end(), pair, by_name);
+    if (at != known.end() && name_of(*at) == name_of(pair)) pair.hint = at->hint;
+  }
+}
+
 }  // namespace
 
-void NearPairs::find(const Bodies& bodies, double margin, int threads) {
-  margin_ = margin;
-  const std::vector<Wrap> wraps = wraps_of(bodies, cell_);
-  const std::vector<Capsule> capsules = capsules_of(bodies, cell_, wraps, margin);
-  CapsuleGrid grid(cell_);
-  grid.reset(capsules);
-  const std::size_t n = bodies.count();
-  for (std::size_t i = 0; i < n; ++i) grid.insert(static_cast<std::int32_t>(i), capsules[i]);
+// Two bodies push each other from as far as the lesser of their shells.
+void NearPairs::set_capsule(const Bodies& bodies, std::size_t i) {
+  const double around = 0.5 * (margin_ + bodies.min_gap + bodies.shell[i]);
+  Capsule capsule = capsule_about(bodies.posed[i], around);
+  for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
+    if (!cell_.periodic[a]) continue;
+    wraps_[i][a] = static_cast<int>(std::floor(capsule.center[a] / cell_.size[a]));
+  }
+  capsule.center -= image_shift(cell_, wraps_[i]);
+  capsules_[i] = capsule;
+  path_[i] = 0.0;
+  last_[i] = bodies.posed[i].pose;
+}
 
-  const auto hint_of = [&](std::size_t i, const NearPair& pair) -> std::array<float, 3> {
-    if (first_.size() != n + 1) return {};
-    const auto known = std::find_if(begin(i), end(i), [&](const NearPair& p) {
-      return p.other == pair.other && p.image == pair.image;
-    });
-    return known == end(i) ? std::array<float, 3>{} : known->hint;
-  };
+// Body i and what a query about it found.
+NearPair NearPairs::pair_of(std::size_t i, std::int32_t j, const CapsuleGrid::Image& image) const {
+  NearPair pair;
+  const auto own = static_cast<std::int32_t>(i);
+  pair.body = std::min(own, j);
+  pair.other = std::max(own, j);
+  const int sign = j < own ? -1 : 1;
+  const Wrap& there = wraps_[static_cast<std::size_t>(j)];
+  for (std::size_t a = 0; a < 3; ++a) {
+    pair.image[a] = static_cast<std::int16_t>(sign * (image[a] - there[a] + wraps_[i][a]));
+  }
+  return pair;
+}
+
+void NearPairs::find(const Bodies& bodies, double margin, int threads) {
+  const std::size_t n = bodies.count();
+  margin_ = margin;
+  refreshed_ = 0;
+  capsules_.resize(n);
+  wraps_.resize(n);
+  path_.resize(n);
+  last_.resize(n);
+  is_far_.assign(n, false);
+  for (std::size_t i = 0; i < n; ++i) set_capsule(bodies, i);
+  grid_.reset(capsules_);
+  for (std::size_t i = 0; i < n; ++i) grid_.insert(static_cast<std::int32_t>(i), capsules_[i]);
   const std::size_t chunks = (n + kChunk - 1) / kChunk;
-  std::vector<std::vector<NearPair>> found(chunks);
-  std::vector<std::size_t> counts(n + 1, 0);
+  chunks_.resize(chunks);
   parallel_for(
       static_cast<std::int64_t>(chunks), threads, 1, [&](std::int64_t from, std::int64_t to) {
         CapsuleGrid::Scratch scratch;
+        std::vector<NearPair> found;
+        for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c) {
+          found.clear();
+          const std::size_t last = std::min(n, (c + 1) * kChunk);
+          for (std::size_t i = c * kChunk; i < last; ++i) {
+            const auto visit = [&](std::int32_t j, const CapsuleGrid::Image& image) {
+              if (is_first_of_two(i, j, image)) found.push_back(pair_of(i, j, image));
+              return true;
+            };
+            grid_.query(capsules_[i], scratch, visit, static_cast<std::int32_t>(i));
+          }
+          keep_hints(std::move(chunks_[c]), found);
+          chunks_[c] = found;
+        }
+      });
+}
+
+bool NearPairs::follow(const Bodies& bodies, int threads) {
+  constexpr std::int64_t kMost = 2;  // One in so many, all in all.
+  const std::size_t n = bodies.count();
+  if (last_.size() != n) return false;
+  const std::size_t chunks = (n + kChunk - 1) / kChunk;
+  std::vector<std::vector<std::size_t>> far_of(chunks);
+  const double most = 0.5 * margin_;
+  parallel_for(
+      static_cast<std::int64_t>(chunks), threads, 16, [&](std::int64_t from, std::int64_t to) {
         for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c) {
           const std::size_t last = std::min(n, (c + 1) * kChunk);
           for (std::size_t i = c * kChunk; i < last; ++i) {
-            const std::size_t before = found[c].size();
-            grid.query(
-                capsules[i], scratch,
-                [&](std::int32_t j, const CapsuleGrid::Image& image) {
-                  if (!is_first_of_two(i, j, image)) return true;
-                  NearPair pair;
-                  pair.other = j;
-                  const Wrap& there = wraps[static_cast<std::size_t>(j)];
-                  for (std::size_t a = 0; a < 3; ++a) {
-                    pair.image[a] = static_cast<std::int16_t>(image[a] - there[a] + wraps[i][a]);
-                  }
-                  pair.hint = hint_of(i, pair);
-                  found[c].push_back(pair);
-                  return true;
-                },
-                static_cast<std::int32_t>(i));
-            counts[i + 1] = found[c].size() - before;
+            path_[i] += moved(bodies, i, last_[i]);
+            last_[i] = bodies.posed[i].pose;
+            if (!(path_[i] <= most)) far_of[c].push_back(i);
           }
         }
       });
-  for (std::size_t i = 0; i < n; ++i) counts[i + 1] += counts[i];
-  first_ = std::move(counts);
-  pairs_.clear();
-  pairs_.reserve(first_.back());
-  for (const auto& chunk : found) pairs_.insert(pairs_.end(), chunk.begin(), chunk.end());
-  then_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) then_[i] = bodies.posed[i].pose;
+  std::vector<std::size_t> far;
+  for (const auto& some : far_of) far.insert(far.end(), some.begin(), some.end());
+  if (far.empty()) return true;
+  refreshed_ += std::ssize(far);
+  if (refreshed_ * kMost > static_cast<std::int64_t>(n)) return false;
+  refresh(bodies, far);
+  return true;
 }
 
-bool NearPairs::hold(const Bodies& bodies) const {
-  if (then_.size() != bodies.count()) return false;
-  const double most = 0.5 * margin_;
-  for (std::size_t i = 0; i < bodies.count(); ++i) {
-    const Pose& now = bodies.posed[i].pose;
-    double moved = norm(now.center - then_[i].center);
-    if (bodies.turning[i].slot >= 0) {
-      double turned = norm(now.axis - then_[i].axis);
-      if (bodies.posed[i].form == Form::scalene) turned += norm(now.second - then_[i].second);
-      // An arc is at most pi / 2 times its chord.
-      moved += 1.6 * turned * bodies.slope[i];
-    }
-    if (!(moved <= most)) return false;
+void NearPairs::refresh(const Bodies& bodies, const std::vector<std::size_t>& far) {
+  for (const std::size_t i : far) {
+    is_far_[i] = true;
+    grid_.remove(static_cast<std::int32_t>(i));
+    set_capsule(bodies, i);
+    grid_.insert(static_cast<std::int32_t>(i), capsules_[i]);
   }
-  return true;
+  const auto with_far = [&](const NearPair& p) {
+    return is_far_[static_cast<std::size_t>(p.body)] || is_far_[static_cast<std::size_t>(p.other)];
+  };
+  std::vector<NearPair> known, found;
+  for (auto& pairs : chunks_) {
+    const auto kept = std::stable_partition(pairs.begin(), pairs.end(), std::not_fn(with_far));
+    known.insert(known.end(), kept, pairs.end());
+    pairs.erase(kept, pairs.end());
+  }
+  for (const std::size_t i : far) {
+    grid_.query(capsules_[i], scratch_, [&](std::int32_t j, const CapsuleGrid::Image& image) {
+      const bool once = !is_far_[static_cast<std::size_t>(j)] || is_first_of_two(i, j, image);
+      if (once) found.push_back(pair_of(i, j, image));
+      return true;
+    });
+  }
+  keep_hints(std::move(known), found);
+  for (const NearPair& pair : found) {
+    chunks_[static_cast<std::size_t>(pair.body) / kChunk].push_back(pair);
+  }
+  for (const std::size_t i : far) is_far_[i] = false;
 }
 
 }  // namespace packstone::relaxation

@@ -10,7 +10,8 @@
 namespace packstone::relaxation {
 namespace {
 
-constexpr std::size_t kChunk = 256;
+constexpr std::size_t kChunk = NearPairs::kChunk;
+constexpr double kRoundedDown = 1.0 - 0x1p-20;  // Of paths.
 
 double mean_lateral(const Bodies& bodies) {
   double sum = 0.0;
@@ -30,7 +31,7 @@ Vec3 turning_part(const Turning& turning, const Vec3& torque) {
 // Lists that last long hold many pairs in vain, and short ones are made too often.
 void OverlapEnergy::find_pairs(const Bodies& bodies) {
   constexpr double kFirst = 0.5, kLeast = 0.1, kMost = 4.0;
-  constexpr std::int64_t kShort = 4, kLong = 16;
+  constexpr std::int64_t kShort = 16, kLong = 64;
   const double width = mean_lateral(bodies);
   if (margin_ == 0.0) {
     margin_ = kFirst * width;
@@ -44,27 +45,33 @@ void OverlapEnergy::find_pairs(const Bodies& bodies) {
   pairs_.find(bodies, margin_, threads_);
 }
 
-void OverlapEnergy::look_at_body(const Bodies& bodies, std::size_t i, Contacts& contacts) {
-  const PosedBody& a = bodies.posed[i];
-  for (NearPair* pair = pairs_.begin(i); pair != pairs_.end(i); ++pair) {
-    const auto j = static_cast<std::size_t>(pair->other);
+void OverlapEnergy::look_at_pairs(const Bodies& bodies, std::size_t chunk, Contacts& contacts) {
+  for (NearPair& pair : pairs_.chunk(chunk)) {
+    const auto i = static_cast<std::size_t>(pair.body), j = static_cast<std::size_t>(pair.other);
+    const double path = pairs_.path(i) + pairs_.path(j);
+    if (path < static_cast<double>(pair.clear_until)) continue;
+    const PosedBody& a = bodies.posed[i];
     const PosedBody& b = bodies.posed[j];
     const double shell = std::min(bodies.shell[i], bodies.shell[j]);
     const double wanted = bodies.min_gap + shell;
     const Vec3 r = b.pose.center - a.pose.center +
-                   image_shift(cell_, {pair->image[0], pair->image[1], pair->image[2]});
+                   image_shift(cell_, {pair.image[0], pair.image[1], pair.image[2]});
     const double reach = bodies.reach[i] + bodies.reach[j] + wanted;
-    if (norm_sq(r) >= reach * reach) continue;
-    Vec3 hint{pair->hint[0], pair->hint[1], pair->hint[2]};
+    if (norm_sq(r) >= reach * reach) {
+      pair.clear_until = static_cast<float>((path + norm(r) - reach) * kRoundedDown);
+      continue;
+    }
+    Vec3 hint{pair.hint[0], pair.hint[1], pair.hint[2]};
     if (hint != Vec3{}) hint = normalized(hint);
     LocalGap gap;
     const bool pushes = local_gap(a, b, r, wanted, hint, gap);
-    pair->hint = {static_cast<float>(hint.x), static_cast<float>(hint.y),
-                  static_cast<float>(hint.z)};
-    if (!pushes) continue;
+    pair.hint = {static_cast<float>(hint.x), static_cast<float>(hint.y),
+                 static_cast<float>(hint.z)};
     const double depth = wanted - gap.value;
+    pair.clear_until = static_cast<float>((path - depth) * kRoundedDown);
+    if (!pushes) continue;
     const Vec3 force = depth * gap.normal;
-    contacts.push_back({{static_cast<std::int32_t>(i), pair->other, depth},
+    contacts.push_back({{pair.body, pair.other, depth},
                         0.5 * shell,
                         force,
                         turning_part(bodies.turning[i], cross(gap.point_a, force)),
@@ -113,7 +120,7 @@ void OverlapEnergy::add(const Bodies& bodies, const Contact& contact, Motion& gr
 }
 
 Energy OverlapEnergy::operator()(const Bodies& bodies, Motion& gradient) {
-  if (!pairs_.hold(bodies)) find_pairs(bodies);
+  if (!pairs_.follow(bodies, threads_)) find_pairs(bodies);
   ++evaluations_;
   ++since_search_;
   const std::size_t n = bodies.count();
@@ -123,11 +130,9 @@ Energy OverlapEnergy::operator()(const Bodies& bodies, Motion& gradient) {
       static_cast<std::int64_t>(chunks), threads_, 1, [&](std::int64_t from, std::int64_t to) {
         for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c) {
           contacts_[c].clear();
+          look_at_pairs(bodies, c, contacts_[c]);
           const std::size_t last = std::min(n, (c + 1) * kChunk);
-          for (std::size_t i = c * kChunk; i < last; ++i) {
-            look_at_body(bodies, i, contacts_[c]);
-            look_at_walls(bodies, i, contacts_[c]);
-          }
+          for (std::size_t i = c * kChunk; i < last; ++i) look_at_walls(bodies, i, contacts_[c]);
         }
       });
   gradient.assign(bodies.motion_size(), 0.0);

@@ -51,7 +51,7 @@ class OverlapEnergy {
   using Contacts = std::vector<Contact>;
 
   void find_pairs(const Bodies& bodies);
-  void look_at_body(const Bodies& bodies, std::size_t i, Contacts& contacts);
+  void look_at_pairs(const Bodies& bodies, std::size_t chunk, Contacts& contacts);
   void look_at_walls(const Bodies& bodies, std::size_t i, Contacts& contacts) const;
   static void add(const Bodies& bodies, const Contact& contact, Motion& gradient, Energy& energy);
 

@@ -9,6 +9,7 @@
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/contact.hpp"
 #include "packstone/structure/orientation_law.hpp"
+#include "packstone/structure/orientation_order.hpp"
 #include "support/random_packing.hpp"
 
 namespace packstone::relaxation {
@@ -163,6 +164,41 @@ TEST_CASE("near pairs are kept while they hold, and the energy does not depend o
   }
   CHECK(kept.searches() > 1);
   CHECK(kept.searches() < 20);
+}
+
+TEST_CASE("few bodies that go far are found anew alone, and no contact is missed") {
+  for (const bool walls : {false, true}) {
+    Packing packing = thrown(3, 600, 0.05, 6, walls);
+    for (Inclusion& inclusion : packing.inclusions) {
+      if (std::holds_alternative<Sphere>(inclusion.body)) continue;
+      inclusion.body =
+          Spherocylinder{0.01, 0.2, symmetry_axis(inclusion.body).value_or(Vec3{0, 1, 0})};
+    }
+    Bodies bodies = bodies_of(packing, RelaxationOptions{});
+    OverlapEnergy kept(packing.cell, 1);
+    RandomStream random(25, StreamId::test);
+    Motion gradient, fresh_gradient;
+    std::int64_t far_contacts = 0;
+    for (int step = 0; step < 60; ++step) {
+      // Every fiftieth body moves by a width or more each time, all others by a thousandth of it.
+      Motion motion = random_motion(bodies, 3, random);
+      for (std::size_t i = 0; i < bodies.count(); ++i) {
+        const double scale = i % 50 == 0 ? 1.0 : 1e-3;
+        set_at(motion, 3 * i, scale * vec_at(motion, 3 * i));
+        if (bodies.turning[i].slot < 0) continue;
+        set_at(motion, bodies.turn_at(i), scale * vec_at(motion, bodies.turn_at(i)));
+      }
+      const std::vector<PosedBody> from = bodies.posed;
+      move(bodies, from, motion, 0.02);
+      const Energy energy = kept(bodies, gradient);
+      const Energy fresh = OverlapEnergy(packing.cell, 1)(bodies, fresh_gradient);
+      REQUIRE(energy.contacts == fresh.contacts);
+      REQUIRE(energy.value == Approx(fresh.value).epsilon(1e-9));
+      for (const Push& push : kept.pushes()) far_contacts += push.a % 50 == 0 ? 1 : 0;
+    }
+    CHECK(far_contacts > 500);
+    CHECK(kept.searches() < 20);
+  }
 }
 
 TEST_CASE("remembered steps make directions of descent that solve a quadratic problem") {
