@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -62,18 +63,29 @@ Provenance provenance_of(const RelaxationResult& result, const RelaxArguments& a
           .recipe_json = ""};
 }
 
-void print_result(const RelaxationResult& result, const RelaxArguments& arguments) {
+void print_result(const RelaxationResult& result, const std::optional<WallCrossing>& crossing,
+                  const RelaxArguments& arguments) {
   const Certificate& certificate = *result.packing.certificate;
   if (arguments.json) {
     auto text = certificate_json(certificate);
     text["stop"] = name(result.stop);
+    text["deepest_crossing"] = crossing_json(crossing);
     text["relaxation"] = relaxation_json(result.report);
     text["packing"] = arguments.output;
     fmt::print("{}\n", text.dump(2));
   } else if (!arguments.quiet) {
     fmt::print("{}\n{}\n{}", arguments.output, relaxation_text(result.report),
-               certificate_text(certificate, std::nullopt));
+               certificate_text(certificate, crossing));
   }
+}
+
+void print_shortfall(const RelaxationResult& result, const std::optional<WallCrossing>& crossing,
+                     const RelaxArguments& arguments) {
+  fmt::print(stderr,
+             "packstone: {}: not every gap could be opened\n  {}\n"
+             "  the state that overlaps least is in {}\n",
+             stop_words(std::string(name(result.stop))),
+             problem_text(*result.packing.certificate, crossing), arguments.output);
 }
 
 int run_relax(const RelaxArguments& arguments) {
@@ -88,12 +100,12 @@ int run_relax(const RelaxArguments& arguments) {
     fmt::print(stderr, "packstone: {}\n", error.what());
     return kHonestNo;
   }
-  print_result(result, arguments);
-  if (result.packing.certificate->passed()) return kDone;
-  fmt::print(
-      stderr,
-      "packstone: {}: not every gap could be opened; the state that overlaps least is in {}\n",
-      stop_words(std::string(name(result.stop))), arguments.output);
+  const Certificate& certificate = *result.packing.certificate;
+  const std::optional<WallCrossing> crossing =
+      certificate.passed() ? std::nullopt : deepest_crossing(result.packing);
+  print_result(result, crossing, arguments);
+  if (certificate.passed()) return kDone;
+  print_shortfall(result, crossing, arguments);
   return result.stop == RelaxationStop::cancelled ? kInterrupted : kHonestNo;
 }
 

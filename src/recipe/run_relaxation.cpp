@@ -24,8 +24,8 @@ RelaxationOptions options_of(const Recipe& recipe, std::int64_t most_restarts) {
   return options;
 }
 
-// Centers from random sequential adsorption, attempt by attempt with other seeds. Of bodies that it
-// did not place, for want of time, the centers are those of the first placed.
+// Centers from random sequential adsorption, attempt by attempt with other seeds. Fewer than there
+// are bodies where it was stopped on the way.
 class RsaStart {
  public:
   RsaStart(const Recipe& recipe, const InclusionMix& mix, const RunContext& run)
@@ -41,7 +41,6 @@ class RsaStart {
     for (const Inclusion& inclusion : placed.packing.inclusions) {
       centers.push_back(inclusion.center);
     }
-    centers.resize(mix_.bodies.size(), centers.empty() ? Vec3{} : centers.front());
     return centers;
   }
 

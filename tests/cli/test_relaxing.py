@@ -58,6 +58,29 @@ class Relaxing(Case):
         check = self.run_program("check", "m.json", code=1)
         self.assertIn("FAILED", check.stdout)
 
+    def test_what_stalls_names_the_worst_pair_its_image_and_depth(self):
+        self.write("many.toml", TOO_MANY)
+        done = self.run_program("pack", "many.toml", "-o", "m.json", "--json", code=1)
+        certificate = json.loads(done.stdout)["certificate"]
+        self.assertLess(certificate["smallest_gap"], 0)
+        first, second = certificate["worst_pair"]
+        image = certificate["worst_image"]
+        where = f" in image {image}" if any(image) else ""
+        self.assertIn(f"worst: inclusions {first} and {second}{where} by "
+                      f"{-certificate['smallest_gap']:.4g}, deepest of", done.stderr)
+
+    def test_what_cannot_be_taken_out_of_a_wall_is_named_with_wall_and_depth(self):
+        # Wider than the cell: 0.1 too much, which it can at best halve between the two walls.
+        sphere = {"group": "a", "shape": "sphere", "center": [0.5, 0.5, 0.52], "radius": 0.55}
+        self.write("wide.json", {"format": "packstone-packing", "version": 1, "cell": {
+            "size": [2, 2, 1], "periodic": [True, True, False]}, "inclusions": [sphere]})
+        done = self.run_program("relax", "wide.json", "-o", "w.json", "--json", code=1)
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["stop"], "stalled")
+        self.assertEqual(summary["deepest_crossing"]["inclusion"], 0)
+        self.assertEqual(summary["deepest_crossing"]["axis"], "z")
+        self.assertAlmostEqual(summary["deepest_crossing"]["depth"], 0.05, places=3)
+        self.assertRegex(done.stderr, r"worst: inclusion 0 by 0\.0\d+ through the wall z = [01]\n")
 
     def test_relax_opens_the_gaps_of_a_packing_and_ends_overlaps(self):
         self.write("overlapping.json", OVERLAPPING)

@@ -90,7 +90,8 @@ struct RelaxationResult {
   std::vector<RelaxationSample> history;  ///< Of the last attempt, thinned to some 1000 lines.
 };
 
-/// Centers for the bodies from which an attempt starts [L]; anywhere, overlapping or not.
+/// Centers for the bodies from which an attempt starts [L]; anywhere, overlapping or not. Bodies
+/// for which there is none start at random places.
 using RelaxationStart = std::function<std::vector<Vec3>(std::int64_t attempt)>;
 
 /// Moves and turns `bodies`, from centers that `start` gives (none: random ones), until no two of

@@ -99,6 +99,17 @@ TEST_CASE("a relaxation that ends with overlaps is kept, with the certificate th
   REQUIRE(outcome.packing.certificate.has_value());
   CHECK_FALSE(outcome.packing.certificate->passed());
   CHECK(outcome.packing.certificate->overlaps > 0);
+  CHECK_FALSE(outcome.deepest_crossing.has_value());
+}
+
+TEST_CASE("what crosses a wall when a relaxation is interrupted is told") {
+  const std::atomic<bool> cancelled{true};
+  const PackOutcome outcome =
+      pack(order(kTooMany + "start = \"random\"\n", "[1, 1, 1]\nperiodic = [true, true, false]"),
+           RunContext{}.cancel_flag(&cancelled));
+  REQUIRE(outcome.deepest_crossing.has_value());
+  CHECK(outcome.deepest_crossing->axis == 2);
+  CHECK(outcome.deepest_crossing->depth > 0.01);
 }
 
 TEST_CASE("an interrupted relaxation keeps its state and says that it was interrupted") {
