@@ -47,7 +47,8 @@ Json group_json(const GroupOutcome& group) {
   text["orientation"] = {{"redrawn", group.redrawn},
                          {"turned", group.turned},
                          {"tensor", tensor_json(group.tensor)},
-                         {"tensor_ordered", tensor_json(group.ordered_tensor)}};
+                         {"tensor_ordered", tensor_json(group.ordered_tensor)},
+                         {"weighting", "number"}};
   if (!group.order) return text;
   text["orientation"]["nematic_order"] =
       against_chance_json(group.order->nematic, group.random_order->nematic);

@@ -49,6 +49,19 @@ class Relaxing(Case):
         self.assertLess(energies[-1], 1e-3 * energies[0])
         self.run_program("check", "f.json")
 
+    def test_fibers_of_many_lengths_keep_the_tensor_and_their_diameter(self):
+        done = self.run_program("pack", EXAMPLES / "fiber_lengths.toml", "-o", "f.json", "--json")
+        orientation = json.loads(done.stdout)["groups"][0]["orientation"]
+        self.assertEqual(orientation["weighting"], "number")
+        self.assertTrue(orientation["turned"])
+        for key in ("tensor", "tensor_ordered"):
+            for i, wanted in enumerate([0.65, 0.30, 0.05]):
+                self.assertAlmostEqual(orientation[key][i][i], wanted, places=10)
+        fibers = self.read("f.json")["inclusions"]
+        self.assertEqual({fiber["radius"] for fiber in fibers}, {0.006})
+        self.assertGreater(len({fiber["half_length"] for fiber in fibers}), 100)
+        self.run_program("check", "f.json")
+
     def test_what_stays_overlapping_is_kept_but_not_passed_off_as_done(self):
         self.write("many.toml", TOO_MANY)
         done = self.run_program("pack", "many.toml", "-o", "m.json", code=1)

@@ -58,6 +58,46 @@ TEST_CASE("auto relaxes what rsa does not surely place, with the tensor ordered,
   CHECK(tensor_change(outcome.groups[0]) < 1e-12);
 }
 
+TEST_CASE("fibers of one diameter and many lengths are relaxed with the tensor ordered") {
+  const std::string group =
+      "[[inclusions]]\nshape = \"spherocylinder\"\ndiameter = 0.03\n"
+      "length = { lognormal = { mean = 0.4, std = 0.2, min = 0.1, max = 0.9 } }\n"
+      "fraction = 0.15\norientation = { tensor = [[0.7, 0, 0], [0, 0.25, 0], [0, 0, 0.05]] }\n";
+  const PackOutcome outcome = pack(order(group + "[packing]\nmethod = \"relaxation\"\n"));
+  CHECK(outcome.target_reached);
+  CHECK(outcome.packing.certificate->passed());
+  CHECK(outcome.groups[0].turned);
+  CHECK(tensor_change(outcome.groups[0]) < 1e-10);
+  CHECK(std::abs(outcome.groups[0].tensor->xx - 0.7) < 1e-10);
+  double shortest = 1.0, longest = 0.0;
+  for (const Inclusion& inclusion : outcome.packing.inclusions) {
+    const auto& fiber = std::get<Spherocylinder>(inclusion.body);
+    CHECK(fiber.radius == 0.015);
+    shortest = std::min(shortest, 2.0 * fiber.half_length);
+    longest = std::max(longest, 2.0 * fiber.half_length);
+  }
+  CHECK(shortest >= 0.1 * (1.0 - 1e-12));
+  CHECK(longest <= 0.9 * (1.0 + 1e-12));
+  CHECK(longest > 2.0 * shortest);
+}
+
+TEST_CASE("lengths by volume weigh as their law says") {
+  const InclusionMix mix = draw_inclusions(
+      Cell{},
+      order("[[inclusions]]\nshape = \"cylinder\"\ndiameter = 0.001\ncount = 20000\n"
+            "length = { uniform = [0.1, 0.3], by = \"volume\" }\n")
+          .groups,
+      1);
+  double sum = 0.0, weighted = 0.0;
+  for (const OrderedBody& ordered : mix.bodies) {
+    const double length = 2.0 * std::get<Cylinder>(ordered.body).half_length;
+    sum += length;
+    weighted += length * length;
+  }
+  CHECK(weighted / sum == Approx(0.2).epsilon(0.01));
+  CHECK(sum / 20000 == Approx(0.2 / std::log(3.0)).epsilon(0.01));  // density as 1 / length
+}
+
 TEST_CASE("a relaxation gives the same bits for the recipe in the provenance") {
   const PackOutcome first = pack(order(kFibers));
   const Recipe again = recipe_of_packing(first.packing, "again.json");

@@ -153,6 +153,14 @@ std::vector<Wrong> wrong_recipes() {
       {"a law beside another size",
        rods("count = 3\ndiameter = { uniform = [1, 2] }\nlength = 0.2\n"),
        {"bad.toml:6: inclusions[0].diameter", "give one of them and aspect"}},
+      {"a length by volume where caps count too",
+       kCell + kGroup +
+           "shape = \"spherocylinder\"\ncount = 3\ndiameter = 0.1\n"
+           "length = { uniform = [1, 2], by = \"volume\" }\n",
+       {"bad.toml:7: inclusions[0].length.by = \"volume\"; allowed is \"number\""}},
+      {"lengths beyond all diameters",
+       rods("count = 3\ndiameter = 1e-300\nlength = { uniform = [1, 1e300] }\n"),
+       {"bad.toml:7: inclusions[0].length", "over the diameter are finite"}},
       {"a triple aspect",
        kCell + kGroup + "shape = \"ellipsoid\"\naspect = [1, 2, 3]\n" + kBoth,
        {"bad.toml:5: inclusions[0].aspect = [1, 2, 3]", "a pair [a/b, a/c]"}},

@@ -108,6 +108,15 @@ TEST_CASE("a recipe written as JSON and read again is the same to the last bit")
   }
 }
 
+TEST_CASE("lengths of one diameter are written as radius and aspect, and read back") {
+  const std::string text =
+      "[cell]\nsize = [1, 1, 1]\n[[inclusions]]\nshape = \"cylinder\"\ncount = 3\n"
+      "diameter = 0.02\nlength = { uniform = [0.1, 0.3], by = \"volume\" }\n";
+  const std::string written = recipe_to_json(recipe_from_toml(text, "r.toml"));
+  CHECK(nlohmann::json::parse(written)["inclusions"][0]["aspect"]["by"] == "volume");
+  CHECK(recipe_to_json(recipe_from_json(written, "r.json")) == written);
+}
+
 TEST_CASE("the JSON form holds what was read, with overrides applied") {
   const Recipe recipe =
       recipe_from_toml(kSpace, "r.toml", {"packing.seed=5", "inclusions.a.count=7"});
