@@ -143,8 +143,13 @@ std::string time_driven_text(const TimeDrivenOutcome& outcome) {
                      rounded(outcome.start_energy, 3));
 }
 
-std::string sizes_text(const MotionOutcome& motion) {
-  return fmt::format("sizes are {:.6g} of those ordered", motion.size_factor);
+double size_factor(const PackOutcome& outcome) {
+  if (outcome.relaxation) return outcome.relaxation->size_factor;
+  return outcome.motion ? outcome.motion->size_factor : 1.0;
+}
+
+std::string sizes_text(const PackOutcome& outcome) {
+  return fmt::format("sizes are {:.6g} of those ordered", size_factor(outcome));
 }
 
 // What the method did: positions tried, or collisions.
@@ -191,6 +196,12 @@ std::string gap_text(const Certificate& c) {
   return std::isfinite(c.smallest_gap) ? fmt::format("{:.4g}", c.smallest_gap) : "none";
 }
 
+Json grown_json(const RelaxationOutcome& outcome) {
+  Json text{{"size_factor", outcome.size_factor}};
+  text.update(relaxation_json(outcome.report));
+  return text;
+}
+
 std::string duration_text(const std::optional<double>& seconds) {
   if (!seconds) return "how long it takes is not foreseen";
   if (*seconds < 2.0) return "it takes a second or less";
@@ -222,7 +233,7 @@ std::string plan_text(const PackPlan& plan) {
 std::string stop_words(const std::string& stop) {
   if (stop == "saturated") return "proven: the next inclusion fits nowhere";
   if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
-  if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
+  if (stop == "jammed") return "jammed: they hardly grow any more";
   if (stop == "stagnated") return "stagnated by the published criterion";
   if (stop == "relaxed") return "the method sees no overlap any more, but there are some";
   if (stop == "steps_used_up") return "max_steps are used up";
@@ -304,8 +315,7 @@ Json outcome_json(const PackOutcome& outcome) {
             {"trials", outcome.trials},
             {"restarts", outcome.restarts},
             {"motion", motion_json(outcome.motion)},
-            {"relaxation",
-             outcome.relaxation ? relaxation_json(outcome.relaxation->report) : Json(nullptr)},
+            {"relaxation", outcome.relaxation ? grown_json(*outcome.relaxation) : Json(nullptr)},
             {"groups", groups},
             {"derived", outcome.derived}};
   text["time_driven"] = time_driven_json(outcome.time_driven);
@@ -342,8 +352,8 @@ std::string outcome_text(const PackOutcome& outcome) {
   for (const GroupOutcome& group : outcome.groups) text += group_text(group, width);
   for (const std::string& sentence : outcome.derived) text += "  " + sentence + "\n";
   const Certificate& c = *outcome.packing.certificate;
-  if (outcome.motion && outcome.motion->size_factor != 1.0) {
-    text += "  " + sizes_text(*outcome.motion) + "\n";
+  if (size_factor(outcome) != 1.0) {
+    text += "  " + sizes_text(outcome) + "\n";
   }
   text += fmt::format("  {} ({}), {}, {:.3g} s\n", outcome.method, outcome.method_reason,
                       work_text(outcome), outcome.seconds);
@@ -358,16 +368,16 @@ std::string outcome_line(const PackOutcome& outcome) {
   const Certificate& c = *outcome.packing.certificate;
   std::string text = fmt::format("{} inclusions, fraction {:.6g}, smallest gap {}", c.count,
                                  c.fraction, gap_text(c));
-  if (outcome.motion && outcome.motion->size_factor != 1.0) {
-    text += ", " + sizes_text(*outcome.motion);
+  if (size_factor(outcome) != 1.0) {
+    text += ", " + sizes_text(outcome);
   }
   return text + fmt::format(", {}, {}, {:.3g} s", outcome.method, outcome.stop, outcome.seconds);
 }
 
 std::string shortfall_text(const PackOutcome& outcome) {
   std::string text = "target not reached: " + stop_words(outcome.stop);
-  if (outcome.motion && outcome.motion->size_factor != 1.0) {
-    text += "; " + sizes_text(*outcome.motion);
+  if (size_factor(outcome) != 1.0) {
+    text += "; " + sizes_text(outcome);
   }
   for (const GroupOutcome& group : outcome.groups) {
     if (!falls_short(group)) continue;

@@ -122,6 +122,8 @@ std::string_view name(RelaxationStop stop) noexcept {
       return "target_reached";
     case RelaxationStop::stalled:
       return "stalled";
+    case RelaxationStop::jammed:
+      return "jammed";
     case RelaxationStop::cancelled:
       return "cancelled";
     case RelaxationStop::out_of_time:

@@ -124,6 +124,9 @@ MethodChoice automatic_choice(const Recipe& recipe, const InclusionMix& mix) {
   if (recipe.event_driven.goal != EventDrivenGoal::target) {
     return {PackMethod::event_driven, "auto: the goal is for inclusions that move"};
   }
+  if (recipe.relaxation.goal != RelaxationGoal::target) {
+    return {PackMethod::relaxation, "auto: the goal is one of relaxations"};
+  }
   if (std::find(mix.open_count.begin(), mix.open_count.end(), true) != mix.open_count.end()) {
     return {PackMethod::rsa, "auto: it fills the cell"};
   }

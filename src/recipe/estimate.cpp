@@ -9,6 +9,7 @@
 #include "packstone/core/number_text.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "recipe/draw_mix.hpp"
 
 namespace packstone::recipe {
 namespace {
@@ -91,6 +92,7 @@ constexpr Costs kAdsorption{5.0, 10.0, 25.0};
 constexpr Costs kRelaxation{3.0, 15.0, 30.0};
 constexpr Costs kGrowth{8.0, 25.0, 400.0};
 constexpr Costs kJamming{2e3, 5e4, 1e6};
+constexpr Costs kRelaxedJamming{5e4, 1e5, 1e5};
 constexpr Costs kCollision{1.0, 4.0, 15.0};
 
 // Of all bodies, in seconds.
@@ -128,6 +130,7 @@ std::optional<double> seconds_for(const Recipe& recipe, const InclusionMix& mix,
       if (crowded <= 1.0) return total(kAdsorption, mix.bodies);
       break;
     case PackMethod::relaxation:
+      if (is_any_size(recipe, method)) return total(kRelaxedJamming, mix.bodies);
       if (near < 1.0) return total(kRelaxation, mix.bodies) / (1.0 - near);
       break;
     case PackMethod::event_driven:
@@ -188,7 +191,7 @@ PackPlan plan_of(const Recipe& recipe, const InclusionMix& mix, const MethodChoi
                      : (crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order));
   const double near = nearness(plan, crowded);
   plan.seconds = seconds_for(recipe, mix, choice.method, crowded, near);
-  if (recipe.event_driven.goal != EventDrivenGoal::densest) {
+  if (!is_any_size(recipe, choice.method)) {
     plan.warning = warning_for(plan, choice.method, crowded);
   }
   return plan;

@@ -62,6 +62,26 @@ class Relaxing(Case):
         self.assertGreater(len({fiber["half_length"] for fiber in fibers}), 100)
         self.run_program("check", "f.json")
 
+    def test_the_goal_densest_tells_by_how_much_sizes_grew(self):
+        done = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--json",
+                                "--set", "packing.relaxation.goal=densest", "--set",
+                                "inclusions.fibers.fraction=0.1", "--time-limit", "2 s")
+        summary = json.loads(done.stdout)
+        self.assertIn(summary["stop"], ["jammed", "out_of_time"])
+        self.assertTrue(summary["target_reached"])
+        fraction = summary["certificate"]["fraction"]
+        self.assertGreater(fraction, 0.15)
+        grown = summary["relaxation"]["size_factor"]
+        self.assertAlmostEqual(fraction, grown ** 3 * summary["groups"][0]["fraction_ordered"])
+        self.run_program("check", "f.json")
+        text = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--set",
+                                "packing.relaxation.goal=densest", "--time-limit", "0.5 s").stdout
+        self.assertIn("of those ordered", text)
+        done = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--set",
+                                "packing.relaxation.least_step=0.5", code=2)
+        self.assertIn("packing.relaxation.least_step = 0.5; allowed is a number > 0 and <= "
+                      "first_step = 0.08", done.stderr)
+
     def test_what_stays_overlapping_is_kept_but_not_passed_off_as_done(self):
         self.write("many.toml", TOO_MANY)
         done = self.run_program("pack", "many.toml", "-o", "m.json", code=1)

@@ -110,6 +110,14 @@ class Stopping(Case):
                                   "packing.relaxation.start_fraction=0.6")
         self.check_what_overlaps(stderr, "cancelled")
 
+    def test_an_interrupt_of_growth_by_relaxation_keeps_a_packing_without_overlap(self):
+        self.write("dense.toml", OVERLAPPING_FOR_EVER.format(method="relaxation"))
+        stderr = self.interrupted("pack", "dense.toml", "-o", "out.json", "--set",
+                                  "packing.relaxation.goal=densest", "--set",
+                                  "packing.relaxation.least_step=1e-9")
+        self.assertIn("the best valid packing is in out.json", stderr)
+        self.run_program("check", "out.json")
+
     def test_an_interrupt_or_time_limit_ends_relax_likewise(self):
         self.write("dense.toml", OVERLAPPING_FOR_EVER.format(method="relaxation"))
         self.run_program("pack", "dense.toml", "-o", "start.json", "--time-limit", "0.1 s", code=1)

@@ -56,6 +56,7 @@ struct RelaxationOptions {
 enum class RelaxationStop {
   target_reached,  ///< No two overlap, and all gaps exceed min_gap.
   stalled,         ///< They overlap, and no attempt found a way on.
+  jammed,          ///< They rest, and no larger ones did: of grow_relaxed() alone.
   cancelled,       ///< The run was cancelled; the packing is the best state so far.
   out_of_time,     ///< The time limit passed; the packing is the best state so far.
 };

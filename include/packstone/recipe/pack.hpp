@@ -54,6 +54,7 @@ struct MotionOutcome {
 
 /// What a relaxation has to tell.
 struct RelaxationOutcome {
+  double size_factor = 1.0;  ///< As of MotionOutcome.
   RelaxationReport report;
   std::vector<RelaxationSample> history;  ///< Of the last attempt.
 };

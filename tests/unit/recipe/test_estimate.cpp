@@ -102,6 +102,15 @@ TEST_CASE("a plan warns of what is denser than random packings, and knows no tim
             .warning.empty());
 }
 
+TEST_CASE("goals of any size are not warned of, and take what jamming takes") {
+  for (const std::string& method : {std::string("relaxation"), std::string("event-driven")}) {
+    const PackPlan plan = plan_pack(order(kBalls + "0.5\n[packing]\nmethod = \"" + method +
+                                          "\"\n[packing." + method + "]\ngoal = \"densest\"\n"));
+    CHECK(plan.warning.empty());
+    CHECK(plan.seconds.value_or(0.0) >= 1.0);
+  }
+}
+
 TEST_CASE("a plan is told before the work, stands in the outcome, and refuses what is impossible") {
   std::string told;
   const PackOutcome outcome =

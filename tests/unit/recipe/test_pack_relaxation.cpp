@@ -152,6 +152,47 @@ TEST_CASE("what crosses a wall when a relaxation is interrupted is told") {
   CHECK(outcome.deepest_crossing->depth > 0.01);
 }
 
+const std::string kDensest = R"(
+[[inclusions]]
+shape = "spherocylinder"
+aspect = 20
+count = 60
+fraction = 0.05
+orientation = { tensor = [[0.7, 0, 0], [0, 0.25, 0], [0, 0, 0.05]] }
+[packing.relaxation]
+goal = "densest"
+max_relocations = 0
+least_step = 0.02
+)";
+
+TEST_CASE("the goal densest grows fibers far beyond the size ordered, with their tensor") {
+  const PackOutcome outcome = pack(order(kDensest));
+  CHECK(outcome.method == "relaxation");
+  CHECK_THAT(outcome.method_reason, Catch::Contains("goal"));
+  CHECK(outcome.stop == "jammed");
+  CHECK(outcome.target_reached);
+  CHECK(outcome.packing.certificate->passed());
+  CHECK(outcome.packing.certificate->fraction > 0.15);
+  CHECK(outcome.relaxation->size_factor ==
+        Approx(std::cbrt(outcome.packing.certificate->fraction / 0.05)));
+  CHECK(tensor_change(outcome.groups[0]) < 1e-10);
+  const Recipe again = recipe_of_packing(outcome.packing, "again.json");
+  CHECK(scenes::state_hash(pack(again).packing) == scenes::state_hash(outcome.packing));
+}
+
+TEST_CASE("with the goal densest nothing is too large, and a time limit is an end like another") {
+  std::string larger = kDensest;
+  larger.replace(larger.find("0.05"), 4, "0.90");
+  const PackOutcome outcome = pack(order(larger), RunContext{}.time_limit(1.0));
+  CHECK(outcome.target_reached);
+  CHECK(outcome.relaxation->size_factor < 0.8);
+  CHECK(outcome.packing.certificate->passed());
+  const std::atomic<bool> cancelled{true};
+  const PackOutcome halted = pack(order(larger), RunContext{}.cancel_flag(&cancelled));
+  CHECK_FALSE(halted.target_reached);
+  CHECK(halted.stop == "cancelled");
+}
+
 TEST_CASE("an interrupted relaxation keeps its state and says that it was interrupted") {
   const std::atomic<bool> cancelled{true};
   const PackOutcome outcome = pack(order(kTooMany), RunContext{}.cancel_flag(&cancelled));

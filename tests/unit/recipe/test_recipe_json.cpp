@@ -70,6 +70,11 @@ published_stagnation = true
 check_every_event = true
 start = "rsa"
 start_fraction = 0.123
+[packing.relaxation]
+goal = "densest"
+rotate = "free"
+first_step = 0.0321
+least_step = 1e-3
 )";
 
 const std::string kPlane = R"([cell]
@@ -127,6 +132,9 @@ TEST_CASE("the JSON form holds what was read, with overrides applied") {
   CHECK(json["packing"]["rsa"]["order"] == "group");
   CHECK(json["packing"]["event-driven"]["goal"] == "densest");
   CHECK(json["packing"]["event-driven"]["rotate"] == false);
+  CHECK(json["packing"]["relaxation"]["goal"] == "densest");
+  CHECK(json["packing"]["relaxation"]["first_step"] == 0.0321);
+  CHECK(json["packing"]["relaxation"]["least_step"] == 1e-3);
   CHECK(json["inclusions"][0]["count"] == 7);
   CHECK(json["inclusions"][0]["radius"]["by"] == "volume");
   CHECK(json["inclusions"][4]["half_length"] == 0.15);
