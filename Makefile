@@ -4,10 +4,10 @@ BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
 DEMO := fibers spheres ellipses_2d dense_ellipsoids relaxed_fibers
 
-.PHONY: help setup setup-test build demo test validate bench reproduce format check-format layers tidy sanitize tsan fuzz coverage install clean
+.PHONY: help setup setup-test build demo test validate bench build-reproduce reproduce reproduce-ghossein reproduce-salnikov pictures format check-format layers tidy sanitize tsan fuzz coverage install clean
 
 help:  ## Show this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup:
 	@tools/install_dependencies build
@@ -35,11 +35,23 @@ validate:  ## Slow tests: published numbers, ten million pairs (needs make test 
 bench:  ## Build and run every benchmark (needs make test before)
 	@for b in build/benchmarks/bench_*; do echo "== $$b"; $$b; done
 
-reproduce:  ## Measure what Ghossein and Levesque (2013) report; writes docs/reproduction/ (half an hour)
+REPRODUCE_TARGETS := packstone_cli bench_event_driven bench_rsa bench_relaxation bench_time_driven
+
+build-reproduce:
 	@tools/install_dependencies build reproduce
 	cmake --preset release -DPACKSTONE_BUILD_BENCHMARKS=ON $(CMAKE_FLAGS)
-	cmake --build --preset release -j $(BUILD_JOBS) --target packstone_cli bench_event_driven
+	cmake --build --preset release -j $(BUILD_JOBS) --target $(REPRODUCE_TARGETS)
+
+reproduce: reproduce-ghossein reproduce-salnikov  ## Measure what papers report; writes docs/reproduction/ (half an hour)
+
+reproduce-ghossein: build-reproduce  ## Only Ghossein and Levesque (2013)
 	/usr/bin/python3 tools/reproduce_ghossein_levesque --build build
+
+reproduce-salnikov: build-reproduce  ## Only Salnikov et al. (2014): tables, figures, pairs (five minutes)
+	/usr/bin/python3 tools/reproduce_salnikov --build build
+
+pictures: build-reproduce  ## Draw docs/algorithms/relaxation_gallery.md anew
+	/usr/bin/python3 tools/show_relaxation --build build
 
 format:  ## Format all C++ sources
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i

@@ -24,13 +24,16 @@
 #include "packstone/structure/orientation_law.hpp"
 #include "packstone/structure/orientation_order.hpp"
 #include "salnikov_2014.hpp"
+#include "salnikov_cells.hpp"
 #include "scenes.hpp"
 #include "timing.hpp"
 
 namespace {
 
 using namespace packstone;
+using benchmarks::CellRuns;
 using benchmarks::median;
+using benchmarks::PrintedCell;
 using benchmarks::processor_seconds;
 
 struct Outcome {
@@ -78,43 +81,25 @@ Outcome run_once(const std::vector<OrderedBody>& bodies, std::uint64_t seed, con
   return {seconds, elapsed.count(), result.report, std::move(result.packing), certificate.passed()};
 }
 
-// Of several runs with other seeds.
-struct Summary {
-  std::vector<double> seconds;
-  std::vector<std::int64_t> restarts;
-  int passed = 0;
-  std::uint64_t hash = 0;
+void add(CellRuns& runs, const Outcome& outcome) {
+  runs.add(outcome.seconds, outcome.report.restarts, outcome.passed,
+           scenes::state_hash(outcome.packing));
+}
 
-  void add(const Outcome& outcome) {
-    seconds.push_back(outcome.seconds);
-    restarts.push_back(outcome.report.restarts);
-    passed += outcome.passed ? 1 : 0;
-    hash ^= scenes::state_hash(outcome.packing);
-  }
-};
-
-// One cell of a table. printed < 0: blank.
-void run_cell(int n, double fs, double fc, double aspect, double printed, int runs,
-              const Mode& mode) {
-  Summary all;
+void run_cell(const PrintedCell& cell, int runs, const Mode& mode) {
+  CellRuns all;
   for (int seed = 1; seed <= runs; ++seed) {
     const auto key = static_cast<std::uint64_t>(seed);
-    all.add(run_once(scenes::cylinders_and_spheres(n, fs, fc, aspect, key), key, mode));
+    const auto bodies = scenes::cylinders_and_spheres(cell.count_each, cell.sphere_fraction,
+                                                      cell.cylinder_fraction, cell.aspect, key);
+    add(all, run_once(bodies, key, mode));
   }
-  const double ours = median(all.seconds);
-  const double worst = *std::max_element(all.seconds.begin(), all.seconds.end());
-  const std::string paper = printed > 0 ? fmt::format("{:7.2f}", printed) : "  blank";
-  const std::string ratio = printed > 0 ? fmt::format("{:7.0f}", printed / ours) : "      -";
-  fmt::print("{:3} {:5.3f} {:5.3f} {:3.0f} {} {:9.4f} {:9.4f} {} {:4}/{} {:8} {:016x}\n", n, fs, fc,
-             aspect, paper, ours, worst, ratio, all.passed, runs, median(all.restarts), all.hash);
-  std::fflush(stdout);
+  benchmarks::print_cell(cell, all);
 }
 
 void print_heading(int runs) {
-  fmt::print(
-      "# {} seeds\n#  n   f_s   f_c   a paper-s  median-s     max-s   ratio passed restarts "
-      "hash\n",
-      runs);
+  fmt::print("# {} seeds\n", runs);
+  benchmarks::print_cell_heading();
 }
 
 void run_tables(int runs, int count_each, const Mode& mode) {
@@ -123,8 +108,8 @@ void run_tables(int runs, int count_each, const Mode& mode) {
     if (count_each != 0 && table.count_each != count_each) continue;
     for (const auto& cell : table.times) {
       const double fs = cell.sphere_fraction, fc = cell.cylinder_fraction;
-      run_cell(table.count_each, fs, fc, 3, cell.aspect_3, runs, mode);
-      run_cell(table.count_each, fs, fc, 5, cell.aspect_5, runs, mode);
+      run_cell({table.count_each, fs, fc, 3, cell.aspect_3}, runs, mode);
+      run_cell({table.count_each, fs, fc, 5, cell.aspect_5}, runs, mode);
     }
   }
 }
@@ -134,7 +119,7 @@ void run_blanks(int runs, const Mode& mode) {
   print_heading(runs);
   for (int k = 1; k <= 10; ++k) {
     const double fc = 0.05 * k;
-    for (const double aspect : {3.0, 5.0}) run_cell(50, 0.55 - fc, fc, aspect, -1, runs, mode);
+    for (const double aspect : {3.0, 5.0}) run_cell({50, 0.55 - fc, fc, aspect, -1}, runs, mode);
   }
 }
 
@@ -196,7 +181,7 @@ void run_fibers(int runs, Mode mode, ShapeKind shape, const std::string& only) {
       runs, name(shape), mode.limit_s);
   for (const FiberCase& of : fiber_cases()) {
     if (!only.empty() && only != of.name) continue;
-    Summary all;
+    CellRuns all;
     std::int64_t relocated = 0;
     double error = 0.0;
     std::size_t count = 0;
@@ -206,7 +191,7 @@ void run_fibers(int runs, Mode mode, ShapeKind shape, const std::string& only) {
       count = bodies.size();
       mode.start = std::cbrt(of.start / of.fraction);
       const Outcome outcome = run_once(bodies, key, mode);
-      all.add(outcome);
+      add(all, outcome);
       relocated = std::max(relocated, outcome.report.relocated);
       error = std::max(error, tensor_error(outcome.packing, of.tensor));
     }

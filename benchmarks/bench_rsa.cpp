@@ -6,7 +6,7 @@
 //   bench_rsa scaling [largest count] [ellipsoids|cylinders|spheres|ellipses] [threads]
 //   bench_rsa spheres [count]
 //
-// Times are processor times of the call of rsa_pack alone.
+// Times are processor times of the call of rsa_pack alone; the check comes after it.
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -22,23 +22,32 @@
 #include "packstone/core/random.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "packstone/structure/check_packing.hpp"
 #include "salnikov_2014.hpp"
+#include "salnikov_cells.hpp"
 #include "scenes.hpp"
 #include "timing.hpp"
 
 namespace {
 
 using namespace packstone;
+using benchmarks::CellRuns;
 using benchmarks::median;
+using benchmarks::PrintedCell;
 using benchmarks::processor_seconds;
 
 struct Outcome {
   double seconds = 0.0;
   std::int64_t restarts = 0;
-  bool reached = false;
+  bool passed = false;  // All placed, and no overlap in the check.
   std::uint64_t hash = 0;
   double elapsed = 0.0;  // By the clock [s].
 };
+
+bool free_of_overlap(Packing packing) {
+  packing.groups = {"first", "second"};
+  return check_packing(packing).passed();
+}
 
 Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& options, double limit_s,
                  const Cell& cell = {}, int threads = 1) {
@@ -50,8 +59,8 @@ Outcome run_once(const std::vector<OrderedBody>& bodies, const RsaOptions& optio
   const RsaResult result = rsa_pack(cell, bodies, options, run);
   const double seconds = processor_seconds() - before;
   const std::chrono::duration<double> elapsed = RunContext::Clock::now() - begin;
-  return {seconds, result.restarts, result.stop == RsaStop::target_reached,
-          scenes::state_hash(result.packing), elapsed.count()};
+  const bool passed = result.stop == RsaStop::target_reached && free_of_overlap(result.packing);
+  return {seconds, result.restarts, passed, scenes::state_hash(result.packing), elapsed.count()};
 }
 
 // Short runs are repeated, since what else runs on the machine would be measured with them: the
@@ -74,32 +83,21 @@ struct Mode {
   int first_seed;
 };
 
-// One cell of a table. printed < 0: blank.
-void run_cell(int n, double fs, double fc, double aspect, double printed, const Mode& mode) {
-  std::vector<double> seconds;
-  std::vector<std::int64_t> restarts;
-  int reached = 0;
-  std::uint64_t hash = 0;
+void run_cell(const PrintedCell& cell, const Mode& mode) {
+  CellRuns runs;
   for (int seed = mode.first_seed; seed < mode.first_seed + mode.runs; ++seed) {
     const auto key = static_cast<std::uint64_t>(seed);
     RsaOptions options;
     options.order = RsaOrder::as_given;
     options.seed = key;
     if (mode.redraw) options.redraw_orientation = {true, false};
-    const auto bodies = scenes::cylinders_and_spheres(n, fs, fc, aspect, key);
+    const auto bodies = scenes::cylinders_and_spheres(cell.count_each, cell.sphere_fraction,
+                                                      cell.cylinder_fraction, cell.aspect, key);
     const Outcome outcome = run_often(bodies, options, mode.limit_s);
-    seconds.push_back(outcome.seconds);
-    restarts.push_back(outcome.restarts);
-    reached += outcome.reached ? 1 : 0;
-    hash ^= outcome.hash;
+    runs.add(outcome.seconds, outcome.restarts, outcome.passed, outcome.hash);
   }
-  const double ours = median(seconds);
-  const std::string paper = printed > 0 ? fmt::format("{:9.4f}", printed) : "    blank";
-  const std::string ratio = printed > 0 ? fmt::format("{:8.1f}", printed / ours) : "       -";
-  const char* verdict = printed <= 0 ? "" : printed / ours >= 20.0 ? "" : "  < 20";
-  fmt::print("{:3} {:5.2f} {:5.2f} {:3.0f} {} {:11.6f} {} {:4}/{} {:7} {:016x}{}\n", n, fs, fc,
-             aspect, paper, ours, ratio, reached, mode.runs, median(restarts), hash, verdict);
-  std::fflush(stdout);
+  const bool missed = cell.printed_s > 0 && runs.ratio(cell) < 20.0;
+  benchmarks::print_cell(cell, runs, missed ? "  < 20" : "");
 }
 
 // The blank cells next to filled ones: the next cylinder fraction of each row.
@@ -125,16 +123,16 @@ std::vector<benchmarks::PrintedTime> with_blanks(const benchmarks::PrintedTable&
 }
 
 void run_tables(const Mode& mode, int only_count, bool blanks) {
-  fmt::print("orientations {}; {} runs; processor time, median\n",
-             mode.redraw ? "redrawn" : "fixed", mode.runs);
-  fmt::print("  n    fs    fc   a   paper s      ours s    ratio reached restarts hash\n");
+  fmt::print("# {} seeds, orientations {}, limit {} s\n", mode.runs,
+             mode.redraw ? "redrawn" : "fixed", mode.limit_s);
+  benchmarks::print_cell_heading();
   for (const auto& table : benchmarks::salnikov_tables()) {
     if (only_count != 0 && table.count_each != only_count) continue;
     for (const auto& cell : with_blanks(table)) {
       for (const double aspect : {3.0, 5.0}) {
         const double printed = aspect == 3.0 ? cell.aspect_3 : cell.aspect_5;
         if ((printed < 0) != blanks) continue;
-        run_cell(table.count_each, cell.sphere_fraction, cell.cylinder_fraction, aspect, printed,
+        run_cell({table.count_each, cell.sphere_fraction, cell.cylinder_fraction, aspect, printed},
                  mode);
       }
     }

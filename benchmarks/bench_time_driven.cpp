@@ -4,6 +4,7 @@
 //   bench_time_driven table [runs] [limit_s]                   10+10 and 50+50, three forms
 //   bench_time_driven vary runs count_each fraction aspect [field=value ...]
 //   bench_time_driven energy [count_each] [fraction] [aspect]  energy beside overlap volume
+//   bench_time_driven pairs [folder]                           figures 15 to 29
 //
 // Times are processor times of the call alone, check included; each line carries a hash of the
 // packings made.
@@ -25,6 +26,7 @@
 
 #include "packstone/generate/published_time_driven.hpp"
 #include "scenes.hpp"
+#include "time_driven/pairs.hpp"
 #include "timing.hpp"
 
 namespace {
@@ -183,8 +185,10 @@ int main(int argc, char** argv) {
     print_row(scene, form, run_seeds(scene, options, runs, 60.0), runs);
   } else if (mode == "energy") {
     run_energy({static_cast<int>(number(2, 50)), number(3, 0.5), number(4, 3)});
+  } else if (mode == "pairs") {
+    benchmarks::show_pairs(argc > 2 ? argv[2] : "");
   } else {
-    fmt::print("modes: table, vary, energy\n");
+    fmt::print("modes: table, vary, energy, pairs\n");
     return 2;
   }
 }

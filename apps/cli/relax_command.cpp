@@ -18,6 +18,7 @@
 #include "packstone/structure/check_packing.hpp"
 #include "progress_printer.hpp"
 #include "summary.hpp"
+#include "timeline.hpp"
 
 namespace packstone::cli {
 namespace {
@@ -25,6 +26,7 @@ namespace {
 struct RelaxArguments {
   std::string packing;
   std::string output;
+  std::string timeline;
   double min_gap = 0.0;
   RelaxationTurn rotate = RelaxationTurn::hold_tensor;
   std::uint64_t seed = 1;
@@ -88,14 +90,21 @@ void print_shortfall(const RelaxationResult& result, const std::optional<WallCro
              problem_text(*result.packing.certificate, crossing), arguments.output);
 }
 
+void write_files(const RelaxationResult& result, const RelaxArguments& arguments) {
+  write_packing(arguments.output, result.packing);
+  if (arguments.timeline.empty()) return;
+  write_atomically(arguments.timeline, timeline_csv(result.history));
+}
+
 int run_relax(const RelaxArguments& arguments) {
   check_output_file(arguments.output, {".json", ".h5"});
+  if (!arguments.timeline.empty()) check_output_file(arguments.timeline, {".csv"}, "--timeline");
   RelaxationResult result = relax_with_progress(read_packing(arguments.packing), arguments);
   const RunContext whole = RunContext{}.threads(arguments.threads);
   result.packing.certificate = check_packing(result.packing, {.min_gap = arguments.min_gap}, whole);
   result.packing.provenance = provenance_of(result, arguments);
   try {
-    write_packing(arguments.output, result.packing);
+    write_files(result, arguments);
   } catch (const FileError& error) {
     fmt::print(stderr, "packstone: {}\n", error.what());
     return kHonestNo;
@@ -130,6 +139,8 @@ void add_relax(CLI::App& app, int& exit_code) {
       ->type_name("N")
       ->check(
           CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""));
+  command->add_option("--timeline", arguments->timeline, "Write the history of the energy")
+      ->type_name("FILE.csv");
   add_time_limit(*command, arguments->time_limit);
   add_threads(*command, arguments->threads);
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");

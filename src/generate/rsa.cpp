@@ -213,7 +213,7 @@ RsaResult rsa_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
     return pack_equal_balls(cell, bodies, sequence, options, run);
   }
   const auto count = static_cast<std::int64_t>(bodies.size());
-  Adsorption adsorption(cell, options, run, count);
+  Adsorption adsorption(cell, options, run, bodies, sequence);
   rsa::FailedStarts failed = no_failed_starts(bodies);
   RsaResult result;
   Kept best;
@@ -257,7 +257,7 @@ RsaResult rsa_fill(const Cell& cell, const BodySource& source, const RsaOptions&
                    RunContext run) {
   check_cell(cell);
   check_options(cell, options);
-  Adsorption adsorption(cell, options, run, 0);
+  Adsorption adsorption(cell, options, run, {}, {});
   adsorption.start(options.seed);
   RsaResult result;
   result.packing.cell = cell;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "packstone/core/memory_hints.hpp"
+
 namespace packstone {
 namespace {
 
@@ -47,6 +49,7 @@ void move_lane(const CapsuleChunk& from, std::size_t lane, CapsuleChunk& to, std
     (to.*lanes)[there] = (from.*lanes)[lane];
   }
   to.body[there] = from.body[lane];
+  to.greatest = std::max(to.greatest, from.body[lane]);
   std::copy_n(from.wrap[lane], 3, to.wrap[there]);
 }
 
@@ -147,18 +150,31 @@ CapsuleChunk& CapsuleGrid::chunk_with_room(Level& level, std::int32_t grid_cell)
   return level.chunks[at];
 }
 
-void CapsuleGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
-                               std::int32_t& grid_cell) {
-  std::array<int, 3> index{}, wrap{};
+std::size_t CapsuleGrid::grid_cell_of(const Level& level, const Vec3& center) const noexcept {
+  std::array<int, 3> index{};
   for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
     const int n = level.dims[a];
-    if (cell_.periodic[a]) {
-      wrap[a] = static_cast<int>(std::floor(piece.center[a] * per_size_[a]));
-      piece.center[a] -= wrap[a] * cell_.size[a];
-    }
-    index[a] = std::clamp(static_cast<int>(piece.center[a] * per_size_[a] * n), 0, n - 1);
+    index[a] = std::clamp(static_cast<int>(center[a] * per_size_[a] * n), 0, n - 1);
   }
-  grid_cell = (index[2] * level.dims[1] + index[1]) * level.dims[0] + index[0];
+  return static_cast<std::size_t>((index[2] * level.dims[1] + index[1]) * level.dims[0] + index[0]);
+}
+
+void CapsuleGrid::prefetch(const Vec3& center) const noexcept {
+  for (const Level& level : levels_) {
+    if (level.pieces == 0) continue;
+    packstone::prefetch(&level.chunks[grid_cell_of(level, center)], sizeof(CapsuleChunk));
+  }
+}
+
+void CapsuleGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
+                               std::int32_t& grid_cell) {
+  std::array<int, 3> wrap{};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
+    if (!cell_.periodic[a]) continue;
+    wrap[a] = static_cast<int>(std::floor(piece.center[a] * per_size_[a]));
+    piece.center[a] -= wrap[a] * cell_.size[a];
+  }
+  grid_cell = static_cast<std::int32_t>(grid_cell_of(level, piece.center));
   level.largest = std::max(level.largest, piece.reach());
   ++level.pieces;
   CapsuleChunk& chunk = chunk_with_room(level, grid_cell);
@@ -172,6 +188,7 @@ void CapsuleGrid::insert_piece(Level& level, std::int32_t body, Capsule piece,
   chunk.half[lane] = static_cast<float>(piece.half);
   chunk.radius[lane] = static_cast<float>(piece.radius);
   chunk.body[lane] = body;
+  chunk.greatest = std::max(chunk.greatest, body);
   for (std::size_t a = 0; a < 3; ++a) chunk.wrap[lane][a] = static_cast<std::int16_t>(wrap[a]);
 }
 

@@ -66,14 +66,31 @@ class CapsuleGrid {
 
   /// Calls visit(body, image) once for every capsule of which an image meets this one. Any number
   /// of threads may ask at once, as long as none inserts or removes.
+  ///
+  /// @param visit  Returns true to go on, false to end the query.
+  /// @param from   Leaves out bodies of a lower number.
+  /// @returns      false when visit ended it.
   template <class Visit>
-  void query(const Capsule& capsule, Scratch& scratch, Visit&& visit) const {
+  bool query(const Capsule& capsule, Scratch& scratch, Visit&& visit, std::int32_t from = 0) const {
     scratch.found_.clear();
     scratch.first_.resize(places_.size());
-    for (const Level& level : levels_) {
-      if (level.pieces > 0) query_level(level, capsule, scratch, visit);
-    }
+    const auto visit_new = [&](const Level& level, std::int32_t body, const Image& image) {
+      return body < from || (level.cut && !scratch.is_new(body, image)) || visit(body, image);
+    };
+    return query_levels(capsule, from, visit_new);
   }
+
+  /// The same, but a body that is cut may be visited once for each of its pieces that meets the
+  /// capsule. For those who look for the first that does.
+  template <class Visit>
+  bool query_pieces(const Capsule& capsule, Visit&& visit) const {
+    return query_levels(capsule, 0, [&](const Level&, std::int32_t body, const Image& image) {
+      return visit(body, image);
+    });
+  }
+
+  /// Asks the memory for what the bodies next to `center` are kept in.
+  void prefetch(const Vec3& center) const noexcept;
 
  private:
   struct Level {
@@ -144,8 +161,15 @@ class CapsuleGrid {
   }
 
   template <class Visit>
-  void query_level(const Level& level, const Capsule& capsule, Scratch& scratch,
-                   Visit& visit) const {
+  bool query_levels(const Capsule& capsule, std::int32_t from, const Visit& visit) const {
+    return std::all_of(levels_.begin(), levels_.end(), [&](const Level& level) {
+      return level.pieces == 0 || query_level(level, capsule, from, visit);
+    });
+  }
+
+  template <class Visit>
+  bool query_level(const Level& level, const Capsule& capsule, std::int32_t from,
+                   const Visit& visit) const {
     const auto as_float = [](double x) { return static_cast<float>(x); };
     SeenCapsule seen{0,
                      0,
@@ -187,30 +211,34 @@ class CapsuleGrid {
           if (out_of_reach(kx, ky, kz)) continue;
           const int mx = floor_div(kx, nx);
           seen.x = as_float(capsule.center.x - mx * cell_.size.x);
-          visit_chain(level, static_cast<std::size_t>(row + kx - mx * nx), seen, {mx, my, mz},
-                      scratch, visit);
+          const auto head = static_cast<std::size_t>(row + kx - mx * nx);
+          if (!visit_chain(level, head, seen, {mx, my, mz}, from, visit)) return false;
         }
       }
     }
+    return true;
   }
 
   template <class Visit>
-  void visit_chain(const Level& level, std::size_t head, const SeenCapsule& seen,
-                   const Image& cell_image, Scratch& scratch, Visit& visit) const {
+  bool visit_chain(const Level& level, std::size_t head, const SeenCapsule& seen,
+                   const Image& cell_image, std::int32_t from, const Visit& visit) const {
     for (const CapsuleChunk* chunk = &level.chunks[head]; chunk->count > 0;
          chunk = &level.chunks[static_cast<std::size_t>(chunk->next)]) {
-      for (unsigned hits = hits_(*chunk, seen); hits != 0; hits &= hits - 1) {
+      unsigned hits = chunk->greatest < from ? 0 : hits_(*chunk, seen);
+      for (; hits != 0; hits &= hits - 1) {
         const auto lane = static_cast<std::size_t>(__builtin_ctz(hits));
         const std::int32_t body = chunk->body[lane];
         const auto& wrap = chunk->wrap[lane];
         const Image image{cell_image[0] - wrap[0], cell_image[1] - wrap[1],
                           cell_image[2] - wrap[2]};
-        if (!level.cut || scratch.is_new(body, image)) visit(body, image);
+        if (!visit(level, body, image)) return false;
       }
-      if (chunk->next < 0) return;
+      if (chunk->next < 0) break;
     }
+    return true;
   }
 
+  [[nodiscard]] std::size_t grid_cell_of(const Level& level, const Vec3& center) const noexcept;
   void shape(Level& level, const std::vector<Capsule>& capsules);
   [[nodiscard]] std::int32_t level_of(double reach) const;
   void insert_piece(Level& level, std::int32_t body, Capsule piece, std::int32_t& grid_cell);

@@ -16,6 +16,7 @@ struct alignas(32) CapsuleChunk {
       half[kLanes], radius[kLanes];
   std::int32_t body[kLanes];
   std::int16_t wrap[kLanes][3];  ///< Periods from where it is kept to where it belongs.
+  std::int32_t greatest = -1;    ///< No body has a higher number.
   std::int32_t count = 0;
   std::int32_t next = -1;
 };

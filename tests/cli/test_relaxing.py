@@ -117,8 +117,11 @@ class Relaxing(Case):
 
     def test_relax_opens_the_gaps_of_a_packing_and_ends_overlaps(self):
         self.write("overlapping.json", OVERLAPPING)
-        done = self.run_program("relax", "overlapping.json", "-o", "apart.json")
+        done = self.run_program("relax", "overlapping.json", "-o", "apart.json", "--timeline", "t.csv")
         self.assertIn("passed: no two inclusions overlap", done.stdout)
+        heading, *lines = (self.folder / "t.csv").read_text().splitlines()
+        self.assertTrue(heading.startswith("iteration [-],energy [L^2]"))
+        self.assertLess(float(lines[-1].split(",")[1]), float(lines[0].split(",")[1]))
         self.run_program("pack", EXAMPLES / "fibers.toml", "-o", "f.json")
         done = self.run_program("relax", "f.json", "--min-gap", "0.003", "-o", "g.h5", "--json")
         certificate = json.loads(done.stdout)
@@ -137,6 +140,8 @@ class Relaxing(Case):
         self.assertIn("fre", done.stderr)
         done = self.run_program("relax", "f.json", "-o", "g.txt", code=2)
         self.assertIn("g.txt", done.stderr)
+        done = self.run_program("relax", "f.json", "-o", "g.json", "--timeline", "t.txt", code=2)
+        self.assertIn("t.txt", done.stderr)
         done = self.run_program("relax", "f.json", "-o", "g.json", "--min-gap", "2", code=2)
         self.assertIn("min_gap is 2", done.stderr)
 

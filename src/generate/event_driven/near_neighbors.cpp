@@ -48,6 +48,7 @@ void NearNeighbors::gather(std::int32_t i) {
   const double reach = near_.reach(i);
   grid_.query(near_.capsule(i), scratch_, [&](std::int32_t j, const CapsuleGrid::Image& image) {
     if (j != i) candidates_.push_back(near_.neighbor(i, j, image));
+    return true;
   });
   for_own_images(cell_, {reach, reach, reach}, 0.0, [&](const std::array<int, 3>& image) {
     candidates_.push_back(near_.neighbor(i, i, image));

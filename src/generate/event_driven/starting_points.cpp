@@ -81,6 +81,7 @@ class Placement {
     grid_.query(standing_.capsule(i), scratch_,
                 [&](std::int32_t j, const CapsuleGrid::Image& image) {
                   near_.push_back(standing_.neighbor(i, j, image));
+                  return true;
                 });
     standing_.keep_near(i, near_);
     if (!near_.empty()) return false;

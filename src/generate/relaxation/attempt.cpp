@@ -6,16 +6,36 @@
 #include <utility>
 
 #include "generate/relaxation/relocation.hpp"
+#include "spatial/curve_order.hpp"
 
 namespace packstone::relaxation {
+namespace {
+
+std::vector<std::int32_t> order_of(const Packing& packing) {
+  std::vector<Vec3> centers;
+  centers.reserve(packing.inclusions.size());
+  for (const Inclusion& inclusion : packing.inclusions) centers.push_back(inclusion.center);
+  return curve_order(centers, packing.cell);
+}
+
+Packing in_order(const Packing& packing, const std::vector<std::int32_t>& order) {
+  Packing result = packing;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    result.inclusions[k] = packing.inclusions[static_cast<std::size_t>(order[k])];
+  }
+  return result;
+}
+
+}  // namespace
 
 Attempt::Attempt(const Packing& packing, const RelaxationOptions& options, std::int64_t number,
                  int threads)
-    : shapes_(packing),
+    : order_(order_of(packing)),
+      shapes_(in_order(packing, order_)),
       options_(options),
       threads_(threads),
-      bodies_(bodies_of(packing, options)),
-      holds_(tensor_holds(bodies_, packing, options)),
+      bodies_(bodies_of(shapes_, options)),
+      holds_(tensor_holds(bodies_, shapes_, options)),
       overlap_(packing.cell, threads),
       memory_(threads),
       random_(options.seed, StreamId::relaxation_places, static_cast<std::uint64_t>(number)) {
@@ -151,7 +171,12 @@ RelaxationStop Attempt::run(RunContext& run) {
 Packing Attempt::packing() const {
   Bodies bodies = bodies_;
   bodies.posed = best_;
-  return packing_of(bodies, shapes_);
+  const Packing ordered = packing_of(bodies, shapes_);
+  Packing result = ordered;
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    result.inclusions[static_cast<std::size_t>(order_[k])] = ordered.inclusions[k];
+  }
+  return result;
 }
 
 void Attempt::count_into(RelaxationReport& report) const {

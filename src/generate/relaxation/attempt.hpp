@@ -45,7 +45,8 @@ class Attempt {
   bool move_on();
   [[nodiscard]] bool at_rest() const { return !(energy_.most_left > 1.0); }
 
-  Packing shapes_;
+  std::vector<std::int32_t> order_;  // Body k is inclusion order_[k] of the packing given.
+  Packing shapes_;                   // In that order.
   const RelaxationOptions& options_;
   int threads_;
   Bodies bodies_;

@@ -70,17 +70,21 @@ void NearPairs::find(const Bodies& bodies, double margin, int threads) {
           const std::size_t last = std::min(n, (c + 1) * kChunk);
           for (std::size_t i = c * kChunk; i < last; ++i) {
             const std::size_t before = found[c].size();
-            grid.query(capsules[i], scratch, [&](std::int32_t j, const CapsuleGrid::Image& image) {
-              if (!is_first_of_two(i, j, image)) return;
-              NearPair pair;
-              pair.other = j;
-              const Wrap& there = wraps[static_cast<std::size_t>(j)];
-              for (std::size_t a = 0; a < 3; ++a) {
-                pair.image[a] = static_cast<std::int16_t>(image[a] - there[a] + wraps[i][a]);
-              }
-              pair.hint = hint_of(i, pair);
-              found[c].push_back(pair);
-            });
+            grid.query(
+                capsules[i], scratch,
+                [&](std::int32_t j, const CapsuleGrid::Image& image) {
+                  if (!is_first_of_two(i, j, image)) return true;
+                  NearPair pair;
+                  pair.other = j;
+                  const Wrap& there = wraps[static_cast<std::size_t>(j)];
+                  for (std::size_t a = 0; a < 3; ++a) {
+                    pair.image[a] = static_cast<std::int16_t>(image[a] - there[a] + wraps[i][a]);
+                  }
+                  pair.hint = hint_of(i, pair);
+                  found[c].push_back(pair);
+                  return true;
+                },
+                static_cast<std::int32_t>(i));
             counts[i + 1] = found[c].size() - before;
           }
         }

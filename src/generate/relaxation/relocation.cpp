@@ -66,15 +66,15 @@ class Places {
     double sum = 0.0;
     const PosedBody& a = bodies_.posed[i];
     grid_.query(capsule_of(i), scratch_, [&](std::int32_t other, const CapsuleGrid::Image& image) {
-      if (sum >= most) return;
       const auto j = static_cast<std::size_t>(other);
       const double wanted = bodies_.min_gap + std::min(bodies_.shell[i], bodies_.shell[j]);
       const PosedBody& b = bodies_.posed[j];
       Vec3 hint;
       LocalGap gap;
       const Vec3 r = b.pose.center + image_shift(cell_, image) - a.pose.center;
-      if (!local_gap(a, b, r, wanted, hint, gap)) return;
+      if (!local_gap(a, b, r, wanted, hint, gap)) return true;
       sum += (wanted - gap.value) * (wanted - gap.value);
+      return sum < most;
     });
     return sum;
   }

@@ -33,11 +33,12 @@ Turning turning_on_trial(const OrderedBody& ordered, const RsaOptions& options) 
 }
 
 Adsorption::Adsorption(const Cell& cell, const RsaOptions& options, const RunContext& run,
-                       std::int64_t expected, const BlockSizes& blocks)
+                       const std::vector<OrderedBody>& bodies, std::span<const std::int64_t> order,
+                       const BlockSizes& blocks)
     : cell_(cell),
       options_(options),
       run_(run),
-      placed_(cell, options.min_gap, expected),
+      placed_(cell, options.min_gap, bodies, order),
       blocks_(blocks),
       block_(placed_) {}
 

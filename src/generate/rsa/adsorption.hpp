@@ -40,9 +40,10 @@ struct BlockSizes {
 /// Places bodies one after another into one cell.
 class Adsorption {
  public:
-  /// @param expected  Bodies that will be placed, as far as known.
+  /// For `bodies` placed in this order; or any, where `order` is empty.
   Adsorption(const Cell& cell, const RsaOptions& options, const RunContext& run,
-             std::int64_t expected, const BlockSizes& blocks = {});
+             const std::vector<OrderedBody>& bodies, std::span<const std::int64_t> order,
+             const BlockSizes& blocks = {});
 
   /// Forgets all bodies. `key` is that of the random streams of this start.
   void start(std::uint64_t key);

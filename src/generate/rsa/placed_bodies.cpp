@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "packstone/core/memory_hints.hpp"
 #include "packstone/core/tolerances.hpp"
@@ -31,6 +32,28 @@ inline AxisImages images_within(double d, double length, double reach) {
   while (images.first <= -reach) images.first += length;
   while (images.first + images.count * length < reach) ++images.count;
   return images;
+}
+
+// Length over width from which the mask of axes, and the grid of capsules, save time.
+constexpr double kLong = 5.0;
+constexpr double kVeryLong = 15.0;
+
+double mean_aspect(const std::vector<OrderedBody>& bodies) {
+  double half_lengths = 0.0, radii = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    const Outline outline = outline_of(ordered.body);
+    half_lengths += outline.half_length;
+    radii += outline.radius;
+  }
+  return half_lengths / radii;
+}
+
+double thinnest_of(const std::vector<OrderedBody>& bodies) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const OrderedBody& ordered : bodies) {
+    least = std::min(least, outline_of(ordered.body).in_radius);
+  }
+  return least;
 }
 
 // Shifts n, in periods, for which lo - distance < x + n length < hi + distance.
@@ -124,10 +147,30 @@ PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, std::int64_t expect
   if (use_grid_) grid_.reserve(expected);
 }
 
+PlacedBodies::PlacedBodies(const Cell& cell, double min_gap, const std::vector<OrderedBody>& bodies,
+                           std::span<const std::int64_t> order)
+    : PlacedBodies(cell, min_gap, std::ssize(order)) {
+  if (!use_grid_ || cell.dimension == 2) return;
+  const double aspect = mean_aspect(bodies);
+  if (aspect >= kLong) axes_.emplace(cell, min_gap, thinnest_of(bodies));
+  if (aspect < kVeryLong) return;
+  for (const std::int64_t item : order) {
+    const Body& body = bodies[static_cast<std::size_t>(item)].body;
+    expected_.push_back(capsule_about(outline_of(body), {}));
+  }
+  capsules_.emplace(cell);
+  capsules_->reset(expected_);
+}
+
 void PlacedBodies::clear() {
   bodies_.clear();
   lanes_.clear();
-  if (use_grid_) grid_.clear();
+  if (axes_) axes_->clear();
+  if (capsules_) {
+    capsules_->reset(expected_);
+  } else if (use_grid_) {
+    grid_.clear();
+  }
   largest_circum_radius_ = 0.0;
 }
 
@@ -135,21 +178,31 @@ void PlacedBodies::clear() {
 void PlacedBodies::switch_to_grid() {
   use_grid_ = true;
   needs_extents_ = true;
-  for (std::int32_t i = 0; i < size(); ++i) {
-    grid_.insert(i, bodies_[i].center, packstone::half_extents(bodies_[i].body),
-                 bodies_[i].outline.in_radius);
+  for (std::int32_t i = 0; i < size(); ++i) insert(i, packstone::half_extents(bodies_[i].body));
+}
+
+Capsule PlacedBodies::capsule_about(const Outline& outline, const Vec3& center) const {
+  return {center, outline.axis, outline.half_length, outline.radius + 0.5 * min_gap_};
+}
+
+void PlacedBodies::insert(std::int32_t i, const Vec3& half_extents) {
+  const Placed& placed = bodies_[i];
+  if (axes_) axes_->add(placed.outline, placed.center);
+  if (capsules_) {
+    capsules_->insert(i, capsule_about(placed.outline, placed.center));
+  } else {
+    grid_.insert(i, placed.center, half_extents, placed.outline.in_radius);
   }
 }
 
 void PlacedBodies::add(const Candidate& candidate, const Vec3& center) {
   if (!use_grid_ && size() >= kMostSearchedOneByOne) switch_to_grid();
+  bodies_.push_back({candidate.outline, center, candidate.body});
   if (use_grid_) {
-    grid_.insert(size(), center, packstone::half_extents(candidate.body),
-                 candidate.outline.in_radius);
+    insert(size() - 1, packstone::half_extents(candidate.body));
   } else {
     lanes_.add(candidate.outline, center);
   }
-  bodies_.push_back({candidate.outline, center, candidate.body});
   largest_circum_radius_ = std::max(largest_circum_radius_, candidate.outline.circum_radius);
 }
 
@@ -157,7 +210,7 @@ bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, View&
                                std::int64_t& cost) const {
   if (use_grid_) {
     cost += Cost::search;
-    return !grid_.meets_core(center, outline.in_radius + min_gap_);
+    return capsules_ || !grid_.meets_core(center, outline.in_radius + min_gap_);
   }
   cost += static_cast<std::int64_t>(lanes_.groups()) * Cost::pair;
   return !lanes_.ball_overlaps(outline.in_radius, min_gap_, center, view);
@@ -166,7 +219,10 @@ bool PlacedBodies::look_around(const Outline& outline, const Vec3& center, View&
 bool PlacedBodies::leaves_room_for(const Candidate& candidate, const Vec3& center, const View& view,
                                    std::int64_t& cost, std::int32_t since) const {
   NearPairs near(*this, candidate);
-  if (use_grid_) return search_grid(candidate, center, near, since) && near.settle();
+  if (use_grid_) {
+    if (axes_ && axes_->blocks(candidate.outline, center)) return false;
+    return search_grid(candidate, center, near, since) && near.settle();
+  }
   const Outline& outline = candidate.outline;
   if (outline.half_length > 0.0 && outline.ends != Outline::Ends::loose) {
     cost += static_cast<std::int64_t>(lanes_.groups()) * Cost::glance;
@@ -237,11 +293,18 @@ Vec3 PlacedBodies::nearest_image(const Vec3& d) const {
           nearest(d.z, period_[2], per_period_[2])};
 }
 
+template <class Visit>
+bool PlacedBodies::query(const Candidate& candidate, const Vec3& center, const Visit& visit) const {
+  if (capsules_) return capsules_->query_pieces(capsule_about(candidate.outline, center), visit);
+  return grid_.query(center, candidate.half_extents, min_gap_, visit);
+}
+
 bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near,
                                std::int32_t since) const {
   // In large packings most of the time goes into waiting for memory, so bodies are asked for some
-  // at a time before the first of them is looked at.
+  // at a time before the first of them is looked at. Those that capsules meet mostly overlap.
   constexpr int capacity = 6;
+  const int at_once = capsules_ ? 1 : capacity;
   struct Hit {
     std::int32_t id;
     Vec3 shift;
@@ -256,13 +319,13 @@ bool PlacedBodies::search_grid(const Candidate& candidate, const Vec3& center, N
     count = 0;
     return true;
   };
-  const auto visit = [&](std::int32_t id, const HierarchicalGrid::Image& image) {
+  const auto visit = [&](std::int32_t id, const std::array<int, 3>& image) {
     if (id < since) return true;
     prefetch(&bodies_[id], sizeof(Outline) + sizeof(Vec3));
     hits[static_cast<std::size_t>(count++)] = {id, image_shift(cell_, image)};
-    return count < capacity || look_at_hits();
+    return count < at_once || look_at_hits();
   };
-  return grid_.query(center, candidate.half_extents, min_gap_, visit) && look_at_hits();
+  return query(candidate, center, visit) && look_at_hits();
 }
 
 void PlacedBodies::add_images_near(std::int32_t i, const Vec3& lo, const Vec3& hi, double reach,

@@ -5,13 +5,18 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "generate/rsa/axis_mask.hpp"
 #include "generate/rsa/body_lanes.hpp"
 #include "generate/rsa/outline.hpp"
 #include "packstone/core/cell.hpp"
 #include "packstone/geometry/body.hpp"
 #include "packstone/spatial/hierarchical_grid.hpp"
+#include "packstone/structure/inclusion_mix.hpp"
+#include "spatial/capsule_grid.hpp"
 
 namespace packstone::rsa {
 
@@ -48,11 +53,17 @@ struct PlacedImage {
                                 const Outline& outline_b, const Vec3& r_ab,
                                 double min_gap) noexcept;
 
-/// Bodies placed so far. Few of them are searched one by one, many with a grid.
+/// Bodies placed so far. Few of them are searched one by one, many with a grid of their boxes. The
+/// boxes of long ones meet many others: a mask of their axes goes before the search, and where they
+/// are very long a grid of capsules takes the place of the boxes.
 class PlacedBodies {
  public:
   /// @param expected  Bodies that will be placed, as far as known; decides how they are searched.
   PlacedBodies(const Cell& cell, double min_gap, std::int64_t expected);
+
+  /// For `bodies` placed in this order, turned in whatever way; or any, where `order` is empty.
+  PlacedBodies(const Cell& cell, double min_gap, const std::vector<OrderedBody>& bodies,
+               std::span<const std::int64_t> order);
 
   /// Do candidates need half extents: for the grid, or for walls?
   [[nodiscard]] bool needs_extents() const { return needs_extents_; }
@@ -80,15 +91,22 @@ class PlacedBodies {
 
   /// A trial in steps, for many trials at once, where the grid is searched: after each step the
   /// memory is asked for what the next one will look at. look_at_home() is part of look_around().
-  void expect_look_at_home(const Vec3& center) const { grid_.prefetch_home(center); }
+  /// The ball in the middle of a long body says little; nobody looks at it.
+  void expect_look_at_home(const Vec3& center) const {
+    if (!capsules_) grid_.prefetch_home(center);
+  }
   [[nodiscard]] bool look_at_home(const Outline& outline, const Vec3& center) const {
-    return !grid_.meets_core_at_home(center, outline.in_radius + min_gap_);
+    return capsules_ || !grid_.meets_core_at_home(center, outline.in_radius + min_gap_);
   }
   void expect_look_around(const Outline& outline, const Vec3& center) const {
-    grid_.prefetch_core(center, outline.in_radius + min_gap_);
+    if (!capsules_) grid_.prefetch_core(center, outline.in_radius + min_gap_);
   }
   void expect_search(const Vec3& half_extents, const Vec3& center) const {
-    grid_.prefetch_query(center, half_extents, min_gap_);
+    if (capsules_) {
+      capsules_->prefetch(center);
+    } else {
+      grid_.prefetch_query(center, half_extents, min_gap_);
+    }
   }
 
   /// Does `candidate`, centered at `center` inside the cell, keep its distance from all bodies that
@@ -124,6 +142,10 @@ class PlacedBodies {
   void switch_to_grid();
   bool search_grid(const Candidate& candidate, const Vec3& center, NearPairs& near,
                    std::int32_t since) const;
+  void insert(std::int32_t i, const Vec3& half_extents);
+  template <class Visit>
+  bool query(const Candidate& candidate, const Vec3& center, const Visit& visit) const;
+  [[nodiscard]] Capsule capsule_about(const Outline& outline, const Vec3& center) const;
 
   [[nodiscard]] Vec3 nearest_image(const Vec3& d) const;
 
@@ -138,6 +160,9 @@ class PlacedBodies {
   std::vector<Placed> bodies_;
   BodyLanes lanes_;  // For the search one by one.
   HierarchicalGrid grid_;
+  std::vector<Capsule> expected_;  // What capsules_ is laid out for; empty: not used.
+  std::optional<CapsuleGrid> capsules_;
+  std::optional<AxisMask> axes_;  // Of long bodies.
 };
 
 /// Up to here a loop over all bodies beats the grid: for equal ellipsoids of aspect 2 at fraction

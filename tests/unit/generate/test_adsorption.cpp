@@ -42,7 +42,7 @@ Outcome place_all(const Scene& scene, const BlockSizes& blocks, int threads, int
   const auto count = static_cast<std::int64_t>(scene.bodies.size());
   std::vector<std::int64_t> order(scene.bodies.size());
   std::iota(order.begin(), order.end(), 0);
-  Adsorption adsorption(scene.cell, scene.options, run, count, blocks);
+  Adsorption adsorption(scene.cell, scene.options, run, scene.bodies, order, blocks);
   Outcome outcome;
   for (int start = 0; start < starts; ++start) {
     adsorption.start(scene.options.seed + static_cast<std::uint64_t>(start));
@@ -236,7 +236,7 @@ TEST_CASE("a block stops where the run is asked to stop, with whole bodies") {
   const RsaOptions options;
   RunContext never_stops;
   for (const RunContext* context : {&never_stops, &run}) {
-    Adsorption adsorption(cell, options, *context, 400, {1, 1, 1000});
+    Adsorption adsorption(cell, options, *context, bodies, order, {1, 1, 1000});
     adsorption.start(1);
     const Search search = adsorption.place_next(bodies, order);
     CHECK(search == (context == &run ? Search::cancelled : Search::placed));

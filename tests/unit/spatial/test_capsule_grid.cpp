@@ -74,7 +74,10 @@ class Filled {
 
   [[nodiscard]] Found query(const Capsule& c) {
     Found found;
-    grid_.query(c, scratch_, [&](std::int32_t i, const Image& image) { ++found[{i, image}]; });
+    grid_.query(c, scratch_, [&](std::int32_t i, const Image& image) {
+      ++found[{i, image}];
+      return true;
+    });
     return found;
   }
 
@@ -189,7 +192,10 @@ TEST_CASE("the grid finds those of one crowded place, and none when it is empty"
   const auto found = [&] {
     std::set<std::int32_t> bodies;
     CapsuleGrid::Scratch scratch;
-    grid.query(spot, scratch, [&](std::int32_t i, const Image&) { bodies.insert(i); });
+    grid.query(spot, scratch, [&](std::int32_t i, const Image&) {
+      bodies.insert(i);
+      return true;
+    });
     return bodies.size();
   };
   CHECK(found() == 0);
@@ -199,6 +205,33 @@ TEST_CASE("the grid finds those of one crowded place, and none when it is empty"
   CHECK(found() == kCrowd / 2);
   for (std::int32_t i = 1; i < kCrowd; i += 2) grid.remove(i);
   CHECK(found() == 0);
+}
+
+TEST_CASE("a query leaves out lower numbers, and pieces of one body come one by one") {
+  CapsuleGrid grid(Cell{});
+  const Capsule rod{{0.5, 0.5, 0.5}, {0, 0, 1}, 0.4, 0.01};
+  const std::vector<Capsule> rods(400, rod);
+  grid.reset(rods);
+  for (std::size_t k = 0; k < rods.size(); ++k) grid.insert(static_cast<std::int32_t>(k), rod);
+  grid.remove(399);
+  CapsuleGrid::Scratch scratch;
+  std::multiset<std::int32_t> found, pieces;
+  const auto note_in = [](auto& numbers) {
+    return [&numbers](std::int32_t i, const Image&) {
+      numbers.insert(i);
+      return true;
+    };
+  };
+  CHECK(grid.query(rod, scratch, note_in(found), 392));
+  CHECK(found == std::multiset<std::int32_t>{392, 393, 394, 395, 396, 397, 398});
+  CHECK(grid.query_pieces(rod, note_in(pieces)));
+  CHECK(pieces.size() > 399);
+  CHECK(std::set<std::int32_t>(pieces.begin(), pieces.end()).size() == 399);
+  int visits = 0;
+  const auto stop = [&](std::int32_t, const Image&) { return ++visits < 3; };
+  CHECK_FALSE(grid.query(rod, scratch, stop));
+  CHECK_FALSE(grid.query_pieces(rod, stop));
+  CHECK(visits == 4);
 }
 
 TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
@@ -217,6 +250,7 @@ TEST_CASE("the grid finds capsules on the faces and corners of the cell") {
   grid.query({{last, 0, 0}, {0, 0, 1}, 0.0, 0.01}, scratch,
              [&](std::int32_t i, const Image& image) {
                found.insert({i, image});
+               return true;
              });
   CHECK(found ==
         std::set<std::pair<std::int32_t, Image>>{{0, {1, 0, 0}}, {1, {0, 0, 0}}, {3, {0, -1, -1}}});

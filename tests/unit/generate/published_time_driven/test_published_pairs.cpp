@@ -7,6 +7,7 @@
 
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/geometry/contact.hpp"
+#include "published_pairs.hpp"
 
 namespace packstone {
 namespace {
@@ -15,7 +16,6 @@ using Types = std::set<PublishedContact>;
 
 constexpr Vec3 kMiddle{10, 10, 10};
 const Cylinder kRod{1.0, 3.0, {0, 0, 1}};
-const Cylinder kAcross{1.0, 3.0, {1, 0, 0}};
 
 // A pair before and after.
 struct Outcome {
@@ -31,6 +31,8 @@ struct Outcome {
     packing.inclusions = {{kMiddle, a}, {kMiddle + r, b}};
     result = published_time_driven_relax(packing);
   }
+  explicit Outcome(int figure) : Outcome(scenes::published_pair(figure)) {}
+  explicit Outcome(const scenes::PublishedPair& pair) : Outcome(pair.a, pair.b, pair.r_ab) {}
 
   [[nodiscard]] Vec3 moved(std::size_t k) const {
     return result.packing.inclusions[k].center - (k == 0 ? kMiddle : kMiddle + r);
@@ -59,8 +61,13 @@ Types types_of(const Body& a, const Body& b, const Vec3& r) {
   return types;
 }
 
+Types types_of(int figure) {
+  const scenes::PublishedPair& pair = scenes::published_pair(figure);
+  return types_of(pair.a, pair.b, pair.r_ab);
+}
+
 TEST_CASE("figure 15: two spheres part along the line of their centers") {
-  const Outcome pair(Sphere{1.0}, Sphere{0.5}, {0.6, 0.8, 0});
+  const Outcome pair(15);
   CHECK(pair.apart());
   CHECK(opposite(pair.moved(0), pair.moved(1)));
   CHECK(norm(cross(pair.moved(1), pair.r)) < 1e-9);
@@ -68,8 +75,8 @@ TEST_CASE("figure 15: two spheres part along the line of their centers") {
 }
 
 TEST_CASE("figure 16: a sphere halfway along a cylinder pushes it aside and does not turn it") {
-  CHECK(types_of(kRod, Sphere{1.0}, {1.5, 0, 0}) == Types{PublishedContact::sc2});
-  const Outcome pair(kRod, Sphere{1.0}, {1.5, 0, 0});
+  CHECK(types_of(16) == Types{PublishedContact::sc2});
+  const Outcome pair(16);
   CHECK(pair.apart());
   CHECK(opposite(pair.moved(0), pair.moved(1)));
   CHECK(pair.moved(1).x > 0.2);
@@ -77,7 +84,7 @@ TEST_CASE("figure 16: a sphere halfway along a cylinder pushes it aside and does
 }
 
 TEST_CASE("figure 17: a sphere near the end of a cylinder turns this end away") {
-  const Outcome pair(kRod, Sphere{1.0}, {1.5, 0, 2});
+  const Outcome pair(17);
   CHECK(pair.apart());
   CHECK(pair.moved(0).x < 0.0);
   CHECK(pair.moved(1).x > 0.0);
@@ -86,9 +93,9 @@ TEST_CASE("figure 17: a sphere near the end of a cylinder turns this end away") 
 }
 
 TEST_CASE("figure 18: a sphere on the axis leaves through the base, by sc2 and then sc3") {
-  CHECK(types_of(kRod, Sphere{1.0}, {0, 0, 2.5}) == Types{PublishedContact::sc2});
+  CHECK(types_of(18) == Types{PublishedContact::sc2});
   CHECK(types_of(kRod, Sphere{1.0}, {0, 0, 3.5}) == Types{PublishedContact::sc3});
-  const Outcome pair(kRod, Sphere{1.0}, {0, 0, 2.5});
+  const Outcome pair(18);
   CHECK(pair.apart());
   CHECK(opposite(pair.moved(0), pair.moved(1)));
   CHECK(pair.moved(1).z > 0.5);
@@ -97,9 +104,8 @@ TEST_CASE("figure 18: a sphere on the axis leaves through the base, by sc2 and t
 }
 
 TEST_CASE("figure 19: a sphere on the base, off the axis, leaves along it") {
-  const Vec3 r{0.5, 0, 3.4};
-  CHECK(types_of(kRod, Sphere{1.0}, r) == Types{PublishedContact::sc3});
-  const Outcome pair(kRod, Sphere{1.0}, r);
+  CHECK(types_of(19) == Types{PublishedContact::sc3});
+  const Outcome pair(19);
   CHECK(pair.apart());
   CHECK(pair.moved(1).z > 0.2);
   // The end that is pushed down on the side of the sphere goes there.
@@ -107,9 +113,8 @@ TEST_CASE("figure 19: a sphere on the base, off the axis, leaves along it") {
 }
 
 TEST_CASE("figure 20: a sphere on the rim of the base leaves slantwise") {
-  const Vec3 r{1.5, 0, 3.4};
-  CHECK(types_of(kRod, Sphere{1.0}, r) == Types{PublishedContact::sc4});
-  const Outcome pair(kRod, Sphere{1.0}, r);
+  CHECK(types_of(20) == Types{PublishedContact::sc4});
+  const Outcome pair(20);
   CHECK(pair.apart());
   CHECK(pair.moved(1).x > 0.02);
   CHECK(pair.moved(1).z > 0.02);
@@ -117,8 +122,8 @@ TEST_CASE("figure 20: a sphere on the rim of the base leaves slantwise") {
 }
 
 TEST_CASE("figure 21: two cylinders that cross at their middles part along their normal") {
-  CHECK(types_of(kRod, kAcross, {0, 1.4, 0}) == Types{PublishedContact::cc1});
-  const Outcome pair(kRod, kAcross, {0, 1.4, 0});
+  CHECK(types_of(21) == Types{PublishedContact::cc1});
+  const Outcome pair(21);
   CHECK(pair.apart());
   CHECK(opposite(pair.moved(0), pair.moved(1)));
   CHECK(pair.moved(1).y > 0.2);
@@ -126,7 +131,7 @@ TEST_CASE("figure 21: two cylinders that cross at their middles part along their
 }
 
 TEST_CASE("figure 22: of two cylinders the one that is crossed off its middle turns") {
-  const Outcome pair(kRod, kAcross, {0, 1.4, 2});
+  const Outcome pair(22);
   CHECK(pair.apart());
   CHECK(pair.moved(1).y > 0.0);
   // About x: the upper end goes to -y.
@@ -135,7 +140,7 @@ TEST_CASE("figure 22: of two cylinders the one that is crossed off its middle tu
 }
 
 TEST_CASE("figure 23: crossed off both middles, both turn") {
-  const Outcome pair(kRod, kAcross, {2, 1.4, 2});
+  const Outcome pair(23);
   CHECK(pair.apart());
   CHECK(pair.turn(0).x > 0.01);
   CHECK(norm(pair.turn(1)) == Approx(norm(pair.turn(0))).epsilon(0.1));
@@ -145,10 +150,8 @@ TEST_CASE("figure 23: crossed off both middles, both turn") {
 
 TEST_CASE(
     "figure 24: with axes in one plane a base that enters a face pushes it away in the plane") {
-  const Cylinder slanted{1.0, 3.0, normalized(Vec3{1, 0, 0.4})};
-  const Vec3 r{4.0, 0, 1.0};
-  CHECK(types_of(kRod, slanted, r).contains(PublishedContact::cd1));
-  const Outcome pair(kRod, slanted, r);
+  CHECK(types_of(24).contains(PublishedContact::cd1));
+  const Outcome pair(24);
   CHECK(pair.apart());
   CHECK(pair.moved(0).x < -0.05);
   CHECK(pair.moved(1).x > 0.05);
@@ -159,22 +162,18 @@ TEST_CASE(
 }
 
 TEST_CASE("figure 25: with parallel axes cc1, cd2 and then cd1 act together, sideways") {
-  const Cylinder beside{1.0, 3.0, {0, 0, 1}};
-  CHECK(types_of(kRod, beside, {0.8, 0, 2}) == Types{PublishedContact::cc1, PublishedContact::cd2});
-  CHECK(types_of(kRod, beside, {1.2, 0, 2}) == Types{PublishedContact::cc1, PublishedContact::cd1});
-  const Outcome pair(kRod, beside, {0.8, 0, 2});
+  CHECK(types_of(25) == Types{PublishedContact::cc1, PublishedContact::cd2});
+  CHECK(types_of(kRod, kRod, {1.2, 0, 2}) == Types{PublishedContact::cc1, PublishedContact::cd1});
+  const Outcome pair(25);
   CHECK(pair.apart());
   CHECK(pair.moved(0).x < -0.3);
   CHECK(pair.moved(1).x > 0.3);
 }
 
 TEST_CASE("figures 26 and 27: a base that enters a face beside its middle pushes and turns it") {
-  const std::pair<Vec3, Vec3> cases[] = {{{-0.38, -0.49, -0.78}, {2.52, 0.46, 2.0}},
-                                         {{0.36, -0.63, -0.69}, {1.97, -0.43, 2.57}}};
-  for (const auto& [axis, r] : cases) {
-    const Cylinder slanted{1.0, 3.0, normalized(axis)};
-    CHECK(types_of(kRod, slanted, r) == Types{PublishedContact::cd1});
-    const Outcome pair(kRod, slanted, r);
+  for (const int figure : {26, 27}) {
+    CHECK(types_of(figure) == Types{PublishedContact::cd1});
+    const Outcome pair(figure);
     CHECK(pair.apart());
     CHECK(pair.moved(0).x < -0.02);
     CHECK(pair.moved(1).x > 0.02);
@@ -184,21 +183,17 @@ TEST_CASE("figures 26 and 27: a base that enters a face beside its middle pushes
 }
 
 TEST_CASE("figure 28: two bases whose rims cross part") {
-  const Cylinder slanted{1.0, 3.0, normalized(Vec3{1, 0, 1})};
-  const Vec3 r{3.0, 0, 4.6};
-  const Types types = types_of(kRod, slanted, r);
+  const Types types = types_of(28);
   CHECK((types.contains(PublishedContact::d1) || types.contains(PublishedContact::d2)));
-  const Outcome pair(kRod, slanted, r);
+  const Outcome pair(28);
   CHECK(pair.apart());
-  CHECK(dot(pair.moved(1), r) > 0.0);
-  CHECK(dot(pair.moved(0), r) < 0.0);
+  CHECK(dot(pair.moved(1), pair.r) > 0.0);
+  CHECK(dot(pair.moved(0), pair.r) < 0.0);
 }
 
 TEST_CASE("figure 29: cylinders whose axes cross part in their plane, by cc1, cd2 and cd1") {
-  const Cylinder slanted{1.0, 3.0, normalized(Vec3{1, 0, 0.3})};
-  const Vec3 r{2.0, 0, 0.6};
-  CHECK(types_of(kRod, slanted, r) == Types{PublishedContact::cc1});
-  const Outcome pair(kRod, slanted, r);
+  CHECK(types_of(29) == Types{PublishedContact::cc1});
+  const Outcome pair(29);
   CHECK(pair.apart());
   CHECK(pair.moved(1).x > 0.5);
   CHECK(pair.moved(0).x < -0.5);
