@@ -22,10 +22,10 @@ struct MethodChoice {
   std::optional<double> crowded = {};
 };
 
-/// The method ordered, or the one that suits the bodies drawn: random sequential adsorption where
-/// it surely places all of them and no goal asks for more; a relaxation up to a crowding of 3.2,
-/// and above that where orientations are ordered that event-driven dynamics would have to lock;
-/// event-driven dynamics otherwise.
+/// The method ordered, or the one whose goal is not the target, or the one that suits the bodies
+/// drawn: random sequential adsorption where it surely places all of them; a relaxation up to a
+/// crowding of 3.2, and above that where orientations are ordered that event-driven dynamics would
+/// have to lock; event-driven dynamics otherwise.
 ///
 /// Throws InvalidGroup when bodies in motion are ordered and the count of a group is open.
 [[nodiscard]] MethodChoice choose_method(const Recipe& recipe, const InclusionMix& mix);
