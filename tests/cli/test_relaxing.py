@@ -60,6 +60,9 @@ class Relaxing(Case):
         fibers = self.read("f.json")["inclusions"]
         self.assertEqual({fiber["radius"] for fiber in fibers}, {0.006})
         self.assertGreater(len({fiber["half_length"] for fiber in fibers}), 100)
+        for i, wanted in enumerate([0.65, 0.30, 0.05]):  # of what stands in the file
+            mean = sum(fiber["axis"][i] ** 2 for fiber in fibers) / len(fibers)
+            self.assertAlmostEqual(mean, wanted, places=10)
         self.run_program("check", "f.json")
 
     def test_the_goal_densest_tells_by_how_much_sizes_grew(self):
