@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "commands.hpp"
 #include "output_file.hpp"
@@ -24,13 +22,6 @@ struct CheckArguments {
   bool json = false;
 };
 
-std::optional<WallCrossing> deepest(const std::vector<WallCrossing>& crossings) {
-  const auto found = std::max_element(
-      crossings.begin(), crossings.end(),
-      [](const WallCrossing& a, const WallCrossing& b) { return a.depth < b.depth; });
-  return found == crossings.end() ? std::nullopt : std::optional(*found);
-}
-
 int run_check(const CheckArguments& arguments) {
   if (!arguments.witness.empty()) check_output_path(arguments.witness);
   const Packing packing = read_packing(arguments.packing);
@@ -40,7 +31,7 @@ int run_check(const CheckArguments& arguments) {
     write_witnesses(arguments.witness, separating_directions(packing, arguments.options, run));
   }
   const std::optional<WallCrossing> crossing =
-      certificate.outside_walls > 0 ? deepest(wall_crossings(packing)) : std::nullopt;
+      certificate.outside_walls > 0 ? deepest_crossing(packing) : std::nullopt;
   if (arguments.json) {
     auto text = certificate_json(certificate);
     text["deepest_crossing"] = crossing_json(crossing);

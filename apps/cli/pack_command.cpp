@@ -94,8 +94,9 @@ Checkpointing checkpointing_of(const PackArguments& arguments) {
   }};
 }
 
-PackOutcome run_job(Job job, const RunContext& run, const Checkpointing& checkpointing) {
-  if (!job.checkpoint) return pack(job.recipe, run, checkpointing);
+PackOutcome run_job(Job job, const RunContext& run, const Checkpointing& checkpointing,
+                    const PlanCallback& on_plan) {
+  if (!job.checkpoint) return pack(job.recipe, run, checkpointing, on_plan);
   return resume_pack(job.recipe, std::move(*job.checkpoint), run, checkpointing);
 }
 
@@ -103,10 +104,12 @@ PackOutcome pack_with_progress(Job job, const PackArguments& arguments) {
   RunContext run;
   run.cancel_flag(&interrupt_flag()).threads(arguments.threads);
   const Checkpointing checkpointing = checkpointing_of(arguments);
-  if (arguments.quiet) return run_job(std::move(job), run, checkpointing);
+  if (arguments.quiet) return run_job(std::move(job), run, checkpointing, {});
   ProgressPrinter printer;
   run.on_progress([&printer](const Progress& progress) { printer.print(progress); });
-  return run_job(std::move(job), run, checkpointing);
+  return run_job(std::move(job), run, checkpointing, [](const PackPlan& plan) {
+    fmt::print(stderr, "packstone: {}\n", plan_text(plan));
+  });
 }
 
 int exit_code_of(const PackOutcome& outcome) {

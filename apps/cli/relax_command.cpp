@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -64,18 +65,35 @@ Provenance provenance_of(const RelaxationResult& result, const RelaxArguments& a
           .recipe_json = ""};
 }
 
-void print_result(const RelaxationResult& result, const RelaxArguments& arguments) {
+void print_result(const RelaxationResult& result, const std::optional<WallCrossing>& crossing,
+                  const RelaxArguments& arguments) {
   const Certificate& certificate = *result.packing.certificate;
   if (arguments.json) {
     auto text = certificate_json(certificate);
     text["stop"] = name(result.stop);
+    text["deepest_crossing"] = crossing_json(crossing);
     text["relaxation"] = relaxation_json(result.report);
     text["packing"] = arguments.output;
     fmt::print("{}\n", text.dump(2));
   } else if (!arguments.quiet) {
     fmt::print("{}\n{}\n{}", arguments.output, relaxation_text(result.report),
-               certificate_text(certificate, std::nullopt));
+               certificate_text(certificate, crossing));
   }
+}
+
+void print_shortfall(const RelaxationResult& result, const std::optional<WallCrossing>& crossing,
+                     const RelaxArguments& arguments) {
+  fmt::print(stderr,
+             "packstone: {}: not every gap could be opened\n  {}\n"
+             "  the state that overlaps least is in {}\n",
+             stop_words(std::string(name(result.stop))),
+             problem_text(*result.packing.certificate, crossing), arguments.output);
+}
+
+void write_files(const RelaxationResult& result, const RelaxArguments& arguments) {
+  write_packing(arguments.output, result.packing);
+  if (arguments.timeline.empty()) return;
+  write_atomically(arguments.timeline, timeline_csv(result.history));
 }
 
 int run_relax(const RelaxArguments& arguments) {
@@ -86,20 +104,17 @@ int run_relax(const RelaxArguments& arguments) {
   result.packing.certificate = check_packing(result.packing, {.min_gap = arguments.min_gap}, whole);
   result.packing.provenance = provenance_of(result, arguments);
   try {
-    write_packing(arguments.output, result.packing);
-    if (!arguments.timeline.empty()) {
-      write_atomically(arguments.timeline, timeline_csv(result.history));
-    }
+    write_files(result, arguments);
   } catch (const FileError& error) {
     fmt::print(stderr, "packstone: {}\n", error.what());
     return kHonestNo;
   }
-  print_result(result, arguments);
-  if (result.packing.certificate->passed()) return kDone;
-  fmt::print(
-      stderr,
-      "packstone: {}: not every gap could be opened; the state that overlaps least is in {}\n",
-      stop_words(std::string(name(result.stop))), arguments.output);
+  const Certificate& certificate = *result.packing.certificate;
+  const std::optional<WallCrossing> crossing =
+      certificate.passed() ? std::nullopt : deepest_crossing(result.packing);
+  print_result(result, crossing, arguments);
+  if (certificate.passed()) return kDone;
+  print_shortfall(result, crossing, arguments);
   return result.stop == RelaxationStop::cancelled ? kInterrupted : kHonestNo;
 }
 

@@ -1,9 +1,12 @@
 #include "summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "packstone/core/number_text.hpp"
 
@@ -44,7 +47,8 @@ Json group_json(const GroupOutcome& group) {
   text["orientation"] = {{"redrawn", group.redrawn},
                          {"turned", group.turned},
                          {"tensor", tensor_json(group.tensor)},
-                         {"tensor_ordered", tensor_json(group.ordered_tensor)}};
+                         {"tensor_ordered", tensor_json(group.ordered_tensor)},
+                         {"weighting", "number"}};
   if (!group.order) return text;
   text["orientation"]["nematic_order"] =
       against_chance_json(group.order->nematic, group.random_order->nematic);
@@ -139,8 +143,13 @@ std::string time_driven_text(const TimeDrivenOutcome& outcome) {
                      rounded(outcome.start_energy, 3));
 }
 
-std::string sizes_text(const MotionOutcome& motion) {
-  return fmt::format("sizes are {:.6g} of those ordered", motion.size_factor);
+double size_factor(const PackOutcome& outcome) {
+  if (outcome.relaxation) return outcome.relaxation->size_factor;
+  return outcome.motion ? outcome.motion->size_factor : 1.0;
+}
+
+std::string sizes_text(const PackOutcome& outcome) {
+  return fmt::format("sizes are {:.6g} of those ordered", size_factor(outcome));
 }
 
 // What the method did: positions tried, or collisions.
@@ -164,24 +173,67 @@ std::string work_text(const PackOutcome& outcome) {
   return text;
 }
 
+// "inclusions 3 and 17", "inclusion 3 and its own image at [0, 1, 0]".
+std::string pair_text(const Certificate& c) {
+  const auto& [a, b] = c.worst_pair;
+  const std::string image = fmt::format("[{}]", fmt::join(c.worst_image, ", "));
+  if (a == b) return fmt::format("inclusion {} and its own image {}", a, image);
+  const bool same_period = c.worst_image == std::array<int, 3>{0, 0, 0};
+  return fmt::format("inclusions {} and {}", a, b) + (same_period ? "" : " in image " + image);
+}
+
 std::string worst_text(const Certificate& c) {
   if (c.worst_pair[0] < 0 || !std::isfinite(c.smallest_gap)) return "";
-  if (c.worst_pair[0] == c.worst_pair[1]) {
-    return fmt::format(" between inclusion {} and its own image", c.worst_pair[0]);
-  }
-  return fmt::format(" between inclusions {} and {}", c.worst_pair[0], c.worst_pair[1]);
+  return " between " + pair_text(c);
+}
+
+std::string crossing_text(const WallCrossing& crossing) {
+  return fmt::format("inclusion {} by {:.4g} through the wall {} = {:.6g}", crossing.inclusion,
+                     crossing.depth, "xyz"[crossing.axis], crossing.wall);
 }
 
 std::string gap_text(const Certificate& c) {
   return std::isfinite(c.smallest_gap) ? fmt::format("{:.4g}", c.smallest_gap) : "none";
 }
 
+Json grown_json(const RelaxationOutcome& outcome) {
+  Json text{{"size_factor", outcome.size_factor}};
+  text.update(relaxation_json(outcome.report));
+  return text;
+}
+
+std::string duration_text(const std::optional<double>& seconds) {
+  if (!seconds) return "how long it takes is not foreseen";
+  if (*seconds < 2.0) return "it takes a second or less";
+  if (*seconds < 60.0) return "it takes up to a minute";
+  return *seconds < 3600.0 ? "it takes minutes" : "it takes hours";
+}
+
+Json plan_json(const PackPlan& plan) {
+  return {{"count", plan.count},
+          {"fraction", plan.fraction},
+          {"reachable", value_or_null(plan.reachable)},
+          {"seconds", value_or_null(plan.seconds)},
+          {"warning", plan.warning.empty() ? Json(nullptr) : Json(plan.warning)}};
+}
+
 }  // namespace
+
+std::string plan_text(const PackPlan& plan) {
+  std::string text = fmt::format("{} ({}): ", plan.method, plan.method_reason);
+  if (plan.count > 0)
+    text += fmt::format("{} inclusions, fraction {:.4g}; ", plan.count, plan.fraction);
+  if (plan.reachable) {
+    text += fmt::format("random packings of such reach about {:.2g}; ", *plan.reachable);
+  }
+  text += duration_text(plan.seconds);
+  return plan.warning.empty() ? text : text + "\npackstone: warning: " + plan.warning;
+}
 
 std::string stop_words(const std::string& stop) {
   if (stop == "saturated") return "proven: the next inclusion fits nowhere";
   if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
-  if (stop == "jammed") return "jammed: they hardly grow at the slowest growth rate";
+  if (stop == "jammed") return "jammed: they hardly grow any more";
   if (stop == "stagnated") return "stagnated by the published criterion";
   if (stop == "relaxed") return "the method sees no overlap any more, but there are some";
   if (stop == "steps_used_up") return "max_steps are used up";
@@ -190,6 +242,21 @@ std::string stop_words(const std::string& stop) {
   if (stop == "out_of_time") return "the time limit passed";
   if (stop == "check_failed") return "the independent check did not pass";
   return stop;
+}
+
+std::string problem_text(const Certificate& c, const std::optional<WallCrossing>& crossing) {
+  std::vector<std::string> parts;
+  const bool pairs = c.overlaps + c.gaps_below > 0;
+  if (pairs && c.smallest_gap < 0.0) {
+    parts.push_back(fmt::format("{} by {:.4g}, deepest of {} {}", pair_text(c), -c.smallest_gap,
+                                c.overlaps, c.overlaps == 1 ? "overlap" : "overlaps"));
+  } else if (pairs) {
+    parts.push_back(fmt::format("{} with a gap of {:.4g}, least of {} that {} too small",
+                                pair_text(c), c.smallest_gap, c.overlaps + c.gaps_below,
+                                c.overlaps + c.gaps_below == 1 ? "is" : "are"));
+  }
+  if (crossing) parts.push_back(crossing_text(*crossing));
+  return parts.empty() ? "" : fmt::format("worst: {}", fmt::join(parts, "; "));
 }
 
 Json relaxation_json(const RelaxationReport& report) {
@@ -242,17 +309,18 @@ Json outcome_json(const PackOutcome& outcome) {
             {"stop", outcome.stop},
             {"method", outcome.method},
             {"method_reason", outcome.method_reason},
+            {"plan", plan_json(outcome.plan)},
             {"seed", outcome.packing.provenance->seed},
             {"seconds", outcome.seconds},
             {"trials", outcome.trials},
             {"restarts", outcome.restarts},
             {"motion", motion_json(outcome.motion)},
-            {"relaxation",
-             outcome.relaxation ? relaxation_json(outcome.relaxation->report) : Json(nullptr)},
+            {"relaxation", outcome.relaxation ? grown_json(*outcome.relaxation) : Json(nullptr)},
             {"groups", groups},
             {"derived", outcome.derived}};
   text["time_driven"] = time_driven_json(outcome.time_driven);
   text["certificate"] = certificate_json(*outcome.packing.certificate);
+  text["deepest_crossing"] = crossing_json(outcome.deepest_crossing);
   return text;
 }
 
@@ -268,11 +336,7 @@ std::string certificate_text(const Certificate& c, const std::optional<WallCross
   if (c.outside_walls > 0) {
     text += fmt::format("{} {} a wall", c.outside_walls,
                         c.outside_walls == 1 ? "inclusion crosses" : "inclusions cross");
-    if (crossing) {
-      text += fmt::format("; deepest: inclusion {} by {:.4g} through the wall {} = {:.6g}",
-                          crossing->inclusion, crossing->depth, "xyz"[crossing->axis],
-                          crossing -> wall);
-    }
+    if (crossing) text += "; deepest: " + crossing_text(*crossing);
     text += "\n";
   }
   text += fmt::format("smallest gap {}{}\n", gap_text(c), worst_text(c));
@@ -288,8 +352,8 @@ std::string outcome_text(const PackOutcome& outcome) {
   for (const GroupOutcome& group : outcome.groups) text += group_text(group, width);
   for (const std::string& sentence : outcome.derived) text += "  " + sentence + "\n";
   const Certificate& c = *outcome.packing.certificate;
-  if (outcome.motion && outcome.motion->size_factor != 1.0) {
-    text += "  " + sizes_text(*outcome.motion) + "\n";
+  if (size_factor(outcome) != 1.0) {
+    text += "  " + sizes_text(outcome) + "\n";
   }
   text += fmt::format("  {} ({}), {}, {:.3g} s\n", outcome.method, outcome.method_reason,
                       work_text(outcome), outcome.seconds);
@@ -304,21 +368,25 @@ std::string outcome_line(const PackOutcome& outcome) {
   const Certificate& c = *outcome.packing.certificate;
   std::string text = fmt::format("{} inclusions, fraction {:.6g}, smallest gap {}", c.count,
                                  c.fraction, gap_text(c));
-  if (outcome.motion && outcome.motion->size_factor != 1.0) {
-    text += ", " + sizes_text(*outcome.motion);
+  if (size_factor(outcome) != 1.0) {
+    text += ", " + sizes_text(outcome);
   }
   return text + fmt::format(", {}, {}, {:.3g} s", outcome.method, outcome.stop, outcome.seconds);
 }
 
 std::string shortfall_text(const PackOutcome& outcome) {
   std::string text = "target not reached: " + stop_words(outcome.stop);
-  if (outcome.motion && outcome.motion->size_factor != 1.0) {
-    text += "; " + sizes_text(*outcome.motion);
+  if (size_factor(outcome) != 1.0) {
+    text += "; " + sizes_text(outcome);
   }
   for (const GroupOutcome& group : outcome.groups) {
     if (!falls_short(group)) continue;
     text += fmt::format("; {}: {} of {}, fraction {:.4g} of {:.4g}", group.name, group.count,
                         *group.ordered_count, group.fraction, *group.ordered_fraction);
+  }
+  const Certificate& certificate = *outcome.packing.certificate;
+  if (!certificate.passed()) {
+    text += "\n  " + problem_text(certificate, outcome.deepest_crossing);
   }
   if (outcome.stop == "saturated" || outcome.stop == "given_up") {
     text +=

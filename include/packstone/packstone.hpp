@@ -15,6 +15,7 @@
 #include "packstone/generate/published_event_driven.hpp"
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
+#include "packstone/generate/relaxed_growth.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/geometry/body.hpp"
 #include "packstone/geometry/bounds.hpp"

@@ -71,6 +71,17 @@ std::vector<Vec3> random_centers(const Cell& cell, std::size_t count, std::uint6
   return centers;
 }
 
+// What `start` leaves open is random.
+std::vector<Vec3> start_centers(const Cell& cell, std::size_t count,
+                                const RelaxationOptions& options, std::int64_t attempt,
+                                const RelaxationStart& start) {
+  std::vector<Vec3> centers = random_centers(cell, count, options.seed, attempt);
+  if (!start) return centers;
+  const std::vector<Vec3> given = start(attempt);
+  std::copy_n(given.begin(), std::min(count, given.size()), centers.begin());
+  return centers;
+}
+
 // Attempt after attempt; keeps the best.
 class Run {
  public:
@@ -111,6 +122,8 @@ std::string_view name(RelaxationStop stop) noexcept {
       return "target_reached";
     case RelaxationStop::stalled:
       return "stalled";
+    case RelaxationStop::jammed:
+      return "jammed";
     case RelaxationStop::cancelled:
       return "cancelled";
     case RelaxationStop::out_of_time:
@@ -127,8 +140,7 @@ RelaxationResult relaxation_pack(const Cell& cell, const std::vector<OrderedBody
   check_bodies(cell, bodies, options);
   Run runs(options, std::move(run));
   for (std::int64_t number = 0; number <= options.max_restarts; ++number) {
-    const std::vector<Vec3> centers =
-        start ? start(number) : random_centers(cell, bodies.size(), options.seed, number);
+    const std::vector<Vec3> centers = start_centers(cell, bodies.size(), options, number, start);
     if (!runs.attempt(packing_at(cell, bodies, centers), number)) break;
   }
   return runs.result();

@@ -105,23 +105,33 @@ bool all_turn_freely(const Recipe& recipe) {
   });
 }
 
+MethodChoice choice_by_crowding(double crowded, bool all_turn) {
+  if (crowded <= 1.0) {
+    return {PackMethod::rsa, "auto: it surely places them all", false, crowded};
+  }
+  if (crowded <= kRelaxedCrowding) {
+    return {PackMethod::relaxation, "auto: denser than rsa surely reaches", all_turn, crowded};
+  }
+  if (!all_turn) {
+    return {PackMethod::relaxation, "auto: dense, and it keeps the orientations ordered", false,
+            crowded};
+  }
+  return {PackMethod::event_driven, "auto: denser than a relaxation surely reaches", false,
+          crowded};
+}
+
 MethodChoice automatic_choice(const Recipe& recipe, const InclusionMix& mix) {
   if (recipe.event_driven.goal != EventDrivenGoal::target) {
     return {PackMethod::event_driven, "auto: the goal is for inclusions that move"};
   }
+  if (recipe.relaxation.goal != RelaxationGoal::target) {
+    return {PackMethod::relaxation, "auto: the goal is one of relaxations"};
+  }
   if (std::find(mix.open_count.begin(), mix.open_count.end(), true) != mix.open_count.end()) {
     return {PackMethod::rsa, "auto: it fills the cell"};
   }
-  const double crowded = crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order);
-  if (crowded <= 1.0) return {PackMethod::rsa, "auto: it surely places them all"};
-  if (crowded <= kRelaxedCrowding) {
-    return {PackMethod::relaxation, "auto: denser than rsa surely reaches",
-            all_turn_freely(recipe)};
-  }
-  if (!all_turn_freely(recipe)) {
-    return {PackMethod::relaxation, "auto: dense, and it keeps the orientations ordered"};
-  }
-  return {PackMethod::event_driven, "auto: denser than a relaxation surely reaches"};
+  return choice_by_crowding(crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order),
+                            all_turn_freely(recipe));
 }
 
 }  // namespace
@@ -155,6 +165,15 @@ double crowding(const Cell& cell, const std::vector<OrderedBody>& bodies, double
     count += 1.0;
   }
   return most;
+}
+
+double fraction_with_gaps(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                          double min_gap) {
+  double sum = 0.0;
+  for (const OrderedBody& b : bodies) {
+    sum += min_gap > 0.0 ? functionals(b.body, 0.5 * min_gap).volume : volume(b.body);
+  }
+  return sum / volume(cell);
 }
 
 }  // namespace packstone::recipe

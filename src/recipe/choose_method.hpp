@@ -3,6 +3,7 @@
 /// @file
 /// Which method is to make a packing, and why.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,14 @@ struct MethodChoice {
   std::string reason;                   ///< For people.
   /// relaxation: where a few attempts stall, event-driven dynamics may take over.
   bool may_grow = false;
+  /// crowding() of the bodies, where it was asked for.
+  std::optional<double> crowded = {};
 };
 
-/// The method ordered, or the one that suits the bodies drawn: random sequential adsorption where
-/// it surely places all of them and no goal asks for more; a relaxation up to a crowding of 3.2,
-/// and above that where orientations are ordered that event-driven dynamics would have to lock;
-/// event-driven dynamics otherwise.
+/// The method ordered, or the one whose goal is not the target, or the one that suits the bodies
+/// drawn: random sequential adsorption where it surely places all of them; a relaxation up to a
+/// crowding of 3.2, and above that where orientations are ordered that event-driven dynamics would
+/// have to lock; event-driven dynamics otherwise.
 ///
 /// Throws InvalidGroup when bodies in motion are ordered and the count of a group is open.
 [[nodiscard]] MethodChoice choose_method(const Recipe& recipe, const InclusionMix& mix);
@@ -42,5 +45,9 @@ struct MethodChoice {
 /// ellipses up to 20, and 1 some four fifths of the fraction at which they saturate.
 [[nodiscard]] double crowding(const Cell& cell, const std::vector<OrderedBody>& bodies,
                               double min_gap, RsaOrder order);
+
+/// The volume of all bodies, each with half of `min_gap` [L] around it, over that of the cell [-].
+[[nodiscard]] double fraction_with_gaps(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                                        double min_gap);
 
 }  // namespace packstone::recipe

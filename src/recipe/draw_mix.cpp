@@ -157,6 +157,11 @@ std::vector<bool> turned_groups(const Recipe& recipe, PackMethod method) {
   return turned;
 }
 
+bool is_any_size(const Recipe& recipe, PackMethod method) {
+  if (method == PackMethod::relaxation) return recipe.relaxation.goal == RelaxationGoal::densest;
+  return method == PackMethod::event_driven && recipe.event_driven.goal == EventDrivenGoal::densest;
+}
+
 InclusionMix draw_mix(const Recipe& recipe) {
   return for_recipe(recipe, [&] {
     return draw_inclusions(recipe.cell, recipe.groups, recipe.seed, limit_of_machine());
@@ -164,9 +169,7 @@ InclusionMix draw_mix(const Recipe& recipe) {
 }
 
 void refuse_impossible(const Recipe& recipe, const InclusionMix& mix, PackMethod method) {
-  const bool any_size =
-      method == PackMethod::event_driven && recipe.event_driven.goal == EventDrivenGoal::densest;
-  if (any_size) return refuse_too_large_gap(recipe, nearly_points(mix.bodies));
+  if (is_any_size(recipe, method)) return refuse_too_large_gap(recipe, nearly_points(mix.bodies));
   for_recipe(recipe, [&] {
     const std::vector<bool> turned = turned_groups(recipe, method);
     refuse_unplaceable(recipe, mix, turned);

@@ -16,6 +16,9 @@ namespace packstone::recipe {
 /// machine.
 [[nodiscard]] InclusionMix draw_mix(const Recipe& recipe);
 
+/// Whether the goal of `method` leaves the sizes open.
+[[nodiscard]] bool is_any_size(const Recipe& recipe, PackMethod method);
+
 /// Refuses, with file, line, key and value, what `method` cannot place: a body that cannot stand in
 /// the cell, more than there is room for. Where the goal leaves
 /// the sizes open, gaps alone count.

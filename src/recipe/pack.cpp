@@ -11,6 +11,7 @@
 #include "packstone/structure/images.hpp"
 #include "recipe/choose_method.hpp"
 #include "recipe/draw_mix.hpp"
+#include "recipe/estimate.hpp"
 #include "recipe/run_event_driven.hpp"
 #include "recipe/run_relaxation.hpp"
 #include "recipe/run_rsa.hpp"
@@ -26,6 +27,7 @@ void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) 
   const RunContext whole = RunContext{}.threads(run.threads());
   outcome.packing.certificate = check_packing(outcome.packing, {.min_gap = recipe.min_gap}, whole);
   if (outcome.packing.certificate->passed()) return;
+  outcome.deepest_crossing = deepest_crossing(outcome.packing);
   // Of a relaxation that has not come to its end the certificate says what still overlaps.
   const bool relaxed = outcome.relaxation || outcome.time_driven;
   if (relaxed && !outcome.target_reached) return;
@@ -69,9 +71,16 @@ class Run {
     mix_ = recipe::draw_mix(recipe);
   }
 
-  PackOutcome from_the_start(const Checkpointing& checkpointing) {
+  // Chooses the method; refuses what is impossible.
+  const PackPlan& plan() {
     choice_ = recipe::for_recipe(recipe_, [&] { return recipe::choose_method(recipe_, mix_); });
     recipe::refuse_impossible(recipe_, mix_, choice_.method);
+    plan_ = recipe::plan_of(recipe_, mix_, choice_);
+    return plan_;
+  }
+
+  // As planned.
+  PackOutcome from_the_start(const Checkpointing& checkpointing) {
     return recipe::for_recipe(recipe_, [&] {
       if (choice_.method == PackMethod::rsa) return recipe::run_rsa(recipe_, mix_, run_);
       if (choice_.method == PackMethod::relaxation) return relaxed(checkpointing);
@@ -107,6 +116,7 @@ class Run {
     outcome.packing.groups = recipe::group_names(recipe_);
     outcome.method = name(choice_.method);
     outcome.method_reason = choice_.reason;
+    outcome.plan = plan_;
     outcome.derived.insert(outcome.derived.begin(), mix_.derived.begin(), mix_.derived.end());
     outcome.seconds = seconds();
     certify(recipe_, run_, outcome);
@@ -143,14 +153,20 @@ class Run {
   double start_;
   InclusionMix mix_;
   MethodChoice choice_;
+  PackPlan plan_;
 };
 
 }  // namespace
 
-PackOutcome pack(const Recipe& recipe, RunContext run, const Checkpointing& checkpointing) {
+PackOutcome pack(const Recipe& recipe, RunContext run, const Checkpointing& checkpointing,
+                 const PlanCallback& on_plan) {
   Run one(recipe, std::move(run), 0.0);
+  const PackPlan& plan = one.plan();
+  if (on_plan) on_plan(plan);
   return one.finish(one.from_the_start(checkpointing));
 }
+
+PackPlan plan_pack(const Recipe& recipe) { return Run(recipe, {}, 0.0).plan(); }
 
 PackOutcome resume_pack(const Recipe& recipe, MovingPacking checkpoint, RunContext run,
                         const Checkpointing& checkpointing) {

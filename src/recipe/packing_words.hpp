@@ -32,6 +32,9 @@ inline const Words<EventDrivenGoal> kGoals{{"target", EventDrivenGoal::target},
 inline const Words<GrowthStart> kGrowthStarts{{"points", GrowthStart::points},
                                               {"rsa", GrowthStart::rsa}};
 
+inline const Words<RelaxationGoal> kRelaxationGoals{{"target", RelaxationGoal::target},
+                                                    {"densest", RelaxationGoal::densest}};
+
 inline const Words<RelaxationTurn> kRelaxationTurns{{"hold-tensor", RelaxationTurn::hold_tensor},
                                                     {"free", RelaxationTurn::free},
                                                     {"locked", RelaxationTurn::locked}};

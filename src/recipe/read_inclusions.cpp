@@ -1,6 +1,7 @@
 #include "recipe/read_inclusions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -172,14 +173,38 @@ class GroupReader {
   void read_rod_dimensions(std::string_view across, std::string_view along) {
     fixed_ = true;
     const Range plain{
-        "a number > 0; with both a distribution is not possible: give one of them "
-        "and aspect",
+        "a number > 0; a length beside it may be a distribution, for a distribution of diameters "
+        "give one of them and aspect",
         0.0, std::numeric_limits<double>::infinity(), true, false};
     const auto width = read_number(table_[across], plain, complaints_);
-    const auto length = read_number(table_[along], plain, complaints_);
+    auto length = read_distribution(table_[along], Values::positive, weightable(), complaints_);
     if (!width || !length) return;
-    group_.dimensions = Vec3{across == "diameter" ? 0.5 * *width : *width,
-                             along == "length" ? 0.5 * *length : *length, 0.0};
+    const double radius = across == "diameter" ? 0.5 * *width : *width;
+    const double half = along == "length" ? 0.5 : 1.0;
+    if (const auto* const constant = std::get_if<ConstantLaw>(&length->law)) {
+      group_.dimensions = Vec3{radius, half * constant->value, 0.0};
+      return;
+    }
+    group_.measure = SizeMeasure::radius;
+    group_.size.law = ConstantLaw{radius};
+    group_.aspect = scaled(std::move(*length), half / radius);
+    if (is_usable(group_.aspect)) return;
+    complaints_.not_allowed(table_[along], "a law whose values over the diameter are finite");
+  }
+
+  // Of cylinders of one diameter alone the volume is in proportion to the length.
+  [[nodiscard]] Weightable weightable() const {
+    return group_.shape == ShapeKind::cylinder ? Weightable::yes : Weightable::no;
+  }
+
+  static bool is_usable(const Distribution& aspect) {
+    try {
+      check_distribution(aspect, "aspect");
+      const Support support = support_of(aspect, 1);
+      return support.min > 0.0 && std::isfinite(support.max);
+    } catch (const InvalidArgument&) {
+      return false;
+    }
   }
 
   void read_semi_axes() {
@@ -209,7 +234,9 @@ class GroupReader {
     if (group_.shape == ShapeKind::ellipsoid && aspect.node->is_array()) {
       return read_aspect_pair(aspect);
     }
-    auto law = read_distribution(aspect, Values::positive, Weightable::no, complaints_);
+    const bool one_diameter = group_.measure == SizeMeasure::radius && is_constant(group_.size);
+    auto law = read_distribution(aspect, Values::positive,
+                                 one_diameter ? weightable() : Weightable::no, complaints_);
     if (!law) return;
     group_.aspect = *law;
     group_.spheroid = group_.shape == ShapeKind::ellipsoid;

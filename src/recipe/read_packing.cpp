@@ -94,15 +94,29 @@ void read_event_driven(const TableView& packing, EventDrivenSettings& settings,
   }
 }
 
+void read_steps(const TableView& table, RelaxationSettings& settings, Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  read_into(table["first_step"], positive_up_to(1.0, "1"), settings.first_step, complaints);
+  const Entry least = table["least_step"];
+  if (!least) settings.least_step = std::min(settings.least_step, settings.first_step);
+  if (complaints.count() != before) return;
+  read_into(least,
+            positive_up_to(settings.first_step, "first_step = " + number_text(settings.first_step)),
+            settings.least_step, complaints);
+}
+
 void read_relaxation(const TableView& packing, RelaxationSettings& settings,
                      Complaints& complaints) {
   const toml::table* const node = read_table(packing, "relaxation", complaints);
   if (node == nullptr) return;
-  const TableView table(*node, "packing.relaxation",
-                        {"rotate", "inflation", "patience", "relocated_share", "max_relocations",
-                         "max_restarts", "start", "start_fraction"},
-                        complaints);
+  const TableView table(
+      *node, "packing.relaxation",
+      {"goal", "rotate", "inflation", "patience", "relocated_share", "max_relocations",
+       "max_restarts", "start", "start_fraction", "first_step", "least_step"},
+      complaints);
   const Range share{.text = "a number >= 0 and <= 1", .lo = 0.0, .hi = 1.0};
+  read_into(table["goal"], kRelaxationGoals, settings.goal, complaints);
+  read_steps(table, settings, complaints);
   read_into(table["rotate"], kRelaxationTurns, settings.rotate, complaints);
   read_into(table["inflation"], positive_up_to(0.1, "0.1"), settings.inflation, complaints);
   read_into(table["patience"], 1, settings.patience, complaints);

@@ -173,13 +173,16 @@ Json event_driven_json(const EventDrivenSettings& settings) {
 }
 
 Json relaxation_json(const RelaxationSettings& settings) {
-  Json text{{"rotate", word_for(recipe::kRelaxationTurns, settings.rotate)},
+  Json text{{"goal", word_for(recipe::kRelaxationGoals, settings.goal)},
+            {"rotate", word_for(recipe::kRelaxationTurns, settings.rotate)},
             {"inflation", settings.inflation},
             {"patience", settings.patience},
             {"relocated_share", settings.relocated_share},
             {"max_relocations", settings.max_relocations},
             {"max_restarts", settings.max_restarts},
-            {"start", word_for(recipe::kRelaxationStarts, settings.start)}};
+            {"start", word_for(recipe::kRelaxationStarts, settings.start)},
+            {"first_step", settings.first_step},
+            {"least_step", settings.least_step}};
   if (settings.start_fraction) text["start_fraction"] = *settings.start_fraction;
   return text;
 }

@@ -310,6 +310,14 @@ std::vector<WallCrossing> wall_crossings(const Packing& packing) {
   return crossings(packing);
 }
 
+std::optional<WallCrossing> deepest_crossing(const Packing& packing) {
+  const std::vector<WallCrossing> all = wall_crossings(packing);
+  const auto found = std::max_element(
+      all.begin(), all.end(),
+      [](const WallCrossing& a, const WallCrossing& b) { return a.depth < b.depth; });
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
 std::vector<PairWitness> separating_directions(const Packing& packing, const CheckOptions& options,
                                                RunContext run) {
   check_well_formed(packing);

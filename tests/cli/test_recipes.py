@@ -69,6 +69,30 @@ class Recipes(Case):
         self.assertNotEqual(self.run_program("pack", "large.toml", code=2).stderr, "")
         self.assertEqual(self.files(), ["large.toml", "r.toml"])
 
+    def test_before_the_work_it_is_said_what_is_chosen_why_and_what_to_expect(self):
+        done = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--set",
+                                "packing.method=auto", "--json")
+        plan, *_ = done.stderr.split("\n")
+        self.assertRegex(plan, r"^packstone: relaxation \(auto: denser than rsa surely reaches\): "
+                               r"\d+ inclusions, fraction 0\.2\d*; random packings of such reach "
+                               r"about 0\.3\d; it takes a second or less$")
+        told = json.loads(done.stdout)["plan"]
+        self.assertAlmostEqual(told["fraction"], 0.25, places=2)
+        self.assertAlmostEqual(told["reachable"], 0.37, delta=0.02)
+        self.assertLess(told["seconds"], 2)
+        self.assertIsNone(told["warning"])
+
+    def test_what_random_packings_are_not_known_to_reach_is_warned_of_and_tried(self):
+        dense = ENDLESS.replace('"rsa"', '"relaxation"').replace("0.58", "0.7")
+        done = self.run_program("pack", self.write("dense.toml", dense), "-o", "out.json",
+                                "--time-limit", "0.5 s", "--json", code=1)
+        self.assertIn("packstone: warning: fraction 0.7 is above the 0.64 that random packings",
+                      done.stderr)
+        self.assertIsNone(json.loads(done.stdout)["plan"]["seconds"])
+        done = self.run_program("pack", "dense.toml", "-o", "out.json", "--quiet", "--time-limit",
+                                "0.1 s", code=1)
+        self.assertNotIn("warning", done.stderr)
+
     def test_overrides_change_the_recipe_and_are_kept_with_the_packing(self):
         packing = self.pack_fibers("--seed", "7", "--set", "inclusions.fibers.count=20",
                                    "--set", "inclusions[1].count=15", "--set", "cell.size=[2,2,2]",

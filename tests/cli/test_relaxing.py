@@ -49,6 +49,42 @@ class Relaxing(Case):
         self.assertLess(energies[-1], 1e-3 * energies[0])
         self.run_program("check", "f.json")
 
+    def test_fibers_of_many_lengths_keep_the_tensor_and_their_diameter(self):
+        done = self.run_program("pack", EXAMPLES / "fiber_lengths.toml", "-o", "f.json", "--json")
+        orientation = json.loads(done.stdout)["groups"][0]["orientation"]
+        self.assertEqual(orientation["weighting"], "number")
+        self.assertTrue(orientation["turned"])
+        for key in ("tensor", "tensor_ordered"):
+            for i, wanted in enumerate([0.65, 0.30, 0.05]):
+                self.assertAlmostEqual(orientation[key][i][i], wanted, places=10)
+        fibers = self.read("f.json")["inclusions"]
+        self.assertEqual({fiber["radius"] for fiber in fibers}, {0.006})
+        self.assertGreater(len({fiber["half_length"] for fiber in fibers}), 100)
+        for i, wanted in enumerate([0.65, 0.30, 0.05]):  # of what stands in the file
+            mean = sum(fiber["axis"][i] ** 2 for fiber in fibers) / len(fibers)
+            self.assertAlmostEqual(mean, wanted, places=10)
+        self.run_program("check", "f.json")
+
+    def test_the_goal_densest_tells_by_how_much_sizes_grew(self):
+        done = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--json",
+                                "--set", "packing.relaxation.goal=densest", "--set",
+                                "inclusions.fibers.fraction=0.1", "--time-limit", "2 s")
+        summary = json.loads(done.stdout)
+        self.assertIn(summary["stop"], ["jammed", "out_of_time"])
+        self.assertTrue(summary["target_reached"])
+        fraction = summary["certificate"]["fraction"]
+        self.assertGreater(fraction, 0.15)
+        grown = summary["relaxation"]["size_factor"]
+        self.assertAlmostEqual(fraction, grown ** 3 * summary["groups"][0]["fraction_ordered"])
+        self.run_program("check", "f.json")
+        text = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--set",
+                                "packing.relaxation.goal=densest", "--time-limit", "0.5 s").stdout
+        self.assertIn("of those ordered", text)
+        done = self.run_program("pack", EXAMPLES / "relaxed_fibers.toml", "-o", "f.json", "--set",
+                                "packing.relaxation.least_step=0.5", code=2)
+        self.assertIn("packing.relaxation.least_step = 0.5; allowed is a number > 0 and <= "
+                      "first_step = 0.08", done.stderr)
+
     def test_what_stays_overlapping_is_kept_but_not_passed_off_as_done(self):
         self.write("many.toml", TOO_MANY)
         done = self.run_program("pack", "many.toml", "-o", "m.json", code=1)
@@ -58,6 +94,29 @@ class Relaxing(Case):
         check = self.run_program("check", "m.json", code=1)
         self.assertIn("FAILED", check.stdout)
 
+    def test_what_stalls_names_the_worst_pair_its_image_and_depth(self):
+        self.write("many.toml", TOO_MANY)
+        done = self.run_program("pack", "many.toml", "-o", "m.json", "--json", code=1)
+        certificate = json.loads(done.stdout)["certificate"]
+        self.assertLess(certificate["smallest_gap"], 0)
+        first, second = certificate["worst_pair"]
+        image = certificate["worst_image"]
+        where = f" in image {image}" if any(image) else ""
+        self.assertIn(f"worst: inclusions {first} and {second}{where} by "
+                      f"{-certificate['smallest_gap']:.4g}, deepest of", done.stderr)
+
+    def test_what_cannot_be_taken_out_of_a_wall_is_named_with_wall_and_depth(self):
+        # Wider than the cell: 0.1 too much, which it can at best halve between the two walls.
+        sphere = {"group": "a", "shape": "sphere", "center": [0.5, 0.5, 0.52], "radius": 0.55}
+        self.write("wide.json", {"format": "packstone-packing", "version": 1, "cell": {
+            "size": [2, 2, 1], "periodic": [True, True, False]}, "inclusions": [sphere]})
+        done = self.run_program("relax", "wide.json", "-o", "w.json", "--json", code=1)
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["stop"], "stalled")
+        self.assertEqual(summary["deepest_crossing"]["inclusion"], 0)
+        self.assertEqual(summary["deepest_crossing"]["axis"], "z")
+        self.assertAlmostEqual(summary["deepest_crossing"]["depth"], 0.05, places=3)
+        self.assertRegex(done.stderr, r"worst: inclusion 0 by 0\.0\d+ through the wall z = [01]\n")
 
     def test_relax_opens_the_gaps_of_a_packing_and_ends_overlaps(self):
         self.write("overlapping.json", OVERLAPPING)

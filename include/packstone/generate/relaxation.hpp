@@ -56,6 +56,7 @@ struct RelaxationOptions {
 enum class RelaxationStop {
   target_reached,  ///< No two overlap, and all gaps exceed min_gap.
   stalled,         ///< They overlap, and no attempt found a way on.
+  jammed,          ///< They rest, and no larger ones did: of grow_relaxed() alone.
   cancelled,       ///< The run was cancelled; the packing is the best state so far.
   out_of_time,     ///< The time limit passed; the packing is the best state so far.
 };
@@ -90,7 +91,8 @@ struct RelaxationResult {
   std::vector<RelaxationSample> history;  ///< Of the last attempt, thinned to some 1000 lines.
 };
 
-/// Centers for the bodies from which an attempt starts [L]; anywhere, overlapping or not.
+/// Centers for the bodies from which an attempt starts [L]; anywhere, overlapping or not. Bodies
+/// for which there is none start at random places.
 using RelaxationStart = std::function<std::vector<Vec3>(std::int64_t attempt)>;
 
 /// Moves and turns `bodies`, from centers that `start` gives (none: random ones), until no two of

@@ -4,6 +4,7 @@
 /// From a recipe to a certified packing.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/recipe/recipe.hpp"
+#include "packstone/structure/check_packing.hpp"
 #include "packstone/structure/moving_packing.hpp"
 #include "packstone/structure/orientation_order.hpp"
 #include "packstone/structure/packing.hpp"
@@ -52,6 +54,7 @@ struct MotionOutcome {
 
 /// What a relaxation has to tell.
 struct RelaxationOutcome {
+  double size_factor = 1.0;  ///< As of MotionOutcome.
   RelaxationReport report;
   std::vector<RelaxationSample> history;  ///< Of the last attempt.
 };
@@ -68,14 +71,34 @@ struct TimeDrivenOutcome {
   std::vector<TimeDrivenSample> history;
 };
 
+/// What is about to be done, and what to expect of it.
+struct PackPlan {
+  std::string method;         ///< "rsa", "event-driven", "relaxation", "time-driven".
+  std::string method_reason;  ///< Why this method, for people.
+  std::int64_t count = 0;     ///< Inclusions ordered, without those of groups of open count.
+  double fraction = 0.0;      ///< Of those, each with half of the least gap around it [-].
+  /// What random packings of such inclusions are known to reach [-]. Absent where that is not
+  /// known, as of mixtures.
+  std::optional<double> reachable;
+  /// Processor time that it takes, within a factor of some ten [s]. Absent where no end is foreseen
+  /// or nothing is known.
+  std::optional<double> seconds;
+  std::string warning;  ///< A sentence on why it will hardly succeed, or empty.
+};
+using PlanCallback = std::function<void(const PackPlan&)>;
+
 /// What pack() made, beside what was ordered.
 struct PackOutcome {
   Packing packing;  ///< With certificate and provenance.
   /// Everything ordered stands in the size ordered, and the certificate is clean. The goal
   /// "densest" orders no size: it is reached when they jam, and by a time limit as well.
   bool target_reached = false;
+  /// The inclusion that reaches farthest through a wall. Absent where none does. The pair that
+  /// overlaps the most stands in the certificate.
+  std::optional<WallCrossing> deepest_crossing;
   std::string method;         ///< "rsa", "event-driven", "relaxation", "time-driven".
   std::string method_reason;  ///< Why this method, for people.
+  PackPlan plan;              ///< As told before the work; empty after a checkpoint.
   std::string stop;           ///< Why it stopped: "target_reached", "saturated", "jammed", ...
   std::vector<GroupOutcome> groups;
   /// Sentences: what two of count, fraction and size gave for the third, and what of the order is
@@ -109,8 +132,14 @@ struct PackOutcome {
 /// `checkpointing`: event-driven dynamics hands its state over on the way, and at the end when it
 /// was cancelled or out of time, with the names of the groups and with the recipe in the
 /// provenance: ready for write_checkpoint() of checkpoint_file.hpp. Other methods keep none.
+///
+/// `on_plan`: called once, when the bodies are drawn and nothing speaks against the order.
 [[nodiscard]] PackOutcome pack(const Recipe& recipe, RunContext run = {},
-                               const Checkpointing& checkpointing = {});
+                               const Checkpointing& checkpointing = {},
+                               const PlanCallback& on_plan = {});
+
+/// What pack() would do, and what to expect of it, without the work. Errors as pack().
+[[nodiscard]] PackPlan plan_pack(const Recipe& recipe);
 
 /// Goes on from a checkpoint that pack() made of the same recipe. From one made on the way the
 /// result has the bits that the run would have given uninterrupted. The time limit counts anew.

@@ -17,6 +17,7 @@
 #include "packstone/generate/event_driven.hpp"
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
+#include "packstone/generate/relaxed_growth.hpp"
 #include "packstone/generate/rsa.hpp"
 #include "packstone/structure/inclusion_mix.hpp"
 #include "packstone/structure/packing.hpp"
@@ -73,15 +74,22 @@ struct EventDrivenSettings {
   std::optional<double> start_fraction;
 };
 
+/// What a relaxation is to reach.
+enum class RelaxationGoal {
+  target,   ///< The sizes ordered.
+  densest,  ///< Sizes all scaled by one factor, as large as they come to rest.
+};
+
 /// Where the bodies of a relaxation are first.
 enum class RelaxationFrom {
   rsa,     ///< Where random sequential adsorption has placed them at a smaller size.
   random,  ///< Anywhere.
 };
 
-/// `[packing.relaxation]`: the fields of RelaxationOptions that a recipe may set, and where the
-/// bodies start.
+/// `[packing.relaxation]`: the fields of RelaxationOptions and RelaxedGrowthOptions that a recipe
+/// may set, and where the bodies start.
 struct RelaxationSettings {
+  RelaxationGoal goal = RelaxationGoal::target;
   RelaxationTurn rotate = RelaxationTurn::hold_tensor;                 ///< Of all groups.
   double inflation = RelaxationOptions{}.inflation;                    ///< In (0, 0.1].
   std::int64_t patience = RelaxationOptions{}.patience;                ///< >= 1.
@@ -92,6 +100,8 @@ struct RelaxationSettings {
   /// start = rsa: the volume fraction of the bodies placed first [-], in (0, 1). Absent: what
   /// random sequential adsorption surely reaches.
   std::optional<double> start_fraction;
+  double first_step = RelaxedGrowthOptions{}.first_step;  ///< goal = densest: in (0, 1].
+  double least_step = RelaxedGrowthOptions{}.least_step;  ///< goal = densest: in (0, first_step].
 };
 
 /// Everything that a packing is made from. The same recipe and seed give the same packing.

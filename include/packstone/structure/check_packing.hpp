@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "packstone/core/run_context.hpp"
@@ -54,6 +55,9 @@ struct WallCrossing {
 ///
 /// Errors:  throws InvalidArgument if the packing is not well formed.
 [[nodiscard]] std::vector<WallCrossing> wall_crossings(const Packing& packing);
+
+/// The deepest of them; nothing where all stay inside. Errors as wall_crossings().
+[[nodiscard]] std::optional<WallCrossing> deepest_crossing(const Packing& packing);
 
 /// One separating direction for every pair whose bounding boxes come within `min_gap` of each
 /// other: all other pairs are apart because their boxes are. Ordered by (a, b, image).

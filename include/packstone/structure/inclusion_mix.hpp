@@ -38,9 +38,10 @@ struct InclusionGroup {
   std::optional<std::int64_t> count;  ///< >= 1.
   std::optional<double> fraction;     ///< Volume of the group over that of the cell [-], in (0, 1).
   SizeMeasure measure = SizeMeasure::relative;
-  Distribution size;  ///< Law of `measure`; values > 0. Alone among the laws it may count volume.
+  Distribution size;  ///< Law of `measure`; values > 0. May count volume.
   /// Ellipsoid: a/b and a/c. Ellipse: a/b. Cylinder, spherocylinder: length / diameter (of the
-  /// straight part). Drawn for each inclusion; values > 0. Unused for sphere and disk.
+  /// straight part). Drawn for each inclusion; values > 0. Unused for sphere and disk. May count
+  /// volume for cylinders of constant radius, whose volume grows with it.
   Distribution aspect;
   Distribution aspect_second;
   /// Ellipsoid: `aspect` gives a/b and a/c alike, one value for both (needle above 1, lens below);
@@ -112,8 +113,7 @@ struct InclusionLimit {
 /// Errors:  throws InvalidGroup, before any body is drawn where that can be known, when
 ///            - a group is under- or over-determined, its shape is not of the dimension of the
 ///              cell, or its measure not one of its shape;
-///            - a law gives values that are not > 0, or a law other than that of size counts
-///              volume;
+///            - a law gives values that are not > 0, or counts volume where it may not;
 ///            - the ordered fractions sum to 1 or more;
 ///            - one inclusion is more than twice the ordered fraction;
 ///            - more inclusions are ordered than `limit` allows.

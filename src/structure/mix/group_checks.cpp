@@ -19,10 +19,18 @@ void check_positive_law(const Distribution& law, const std::string& what, int po
                         (is_constant(law) ? "" : "; give the law a min > 0"));
 }
 
-void check_aspect_law(const Distribution& law, const std::string& what) {
-  check_positive_law(law, what, 3);
-  if (law.by == Weighting::volume) {
-    throw InvalidArgument(what + " counts volume, allowed is by = \"number\"");
+// The volume of bodies is in proportion to their aspect.
+bool aspect_is_volume(const InclusionGroup& group) {
+  return group.shape == ShapeKind::cylinder && group.measure == SizeMeasure::radius &&
+         is_constant(group.size);
+}
+
+void check_aspect_law(const Distribution& law, const std::string& what, bool may_count_volume) {
+  check_positive_law(law, what, 1);
+  if (law.by == Weighting::volume && !may_count_volume) {
+    throw InvalidArgument(what +
+                          " counts volume, allowed is by = \"number\", except for cylinders of "
+                          "one radius");
   }
 }
 
@@ -72,9 +80,9 @@ void check_sizes(const Named& named) {
             [&] { check_positive_law(group.size, "size", size_power(group)); });
   if (is_round(group.shape)) return;
   for_field(named, GroupField::aspect, [&] {
-    check_aspect_law(group.aspect, "aspect");
+    check_aspect_law(group.aspect, "aspect", aspect_is_volume(group));
     if (!has_second_aspect(group)) return;
-    check_aspect_law(group.aspect_second, "aspect (second of the pair)");
+    check_aspect_law(group.aspect_second, "aspect (second of the pair)", false);
   });
 }
 

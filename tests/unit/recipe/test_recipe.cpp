@@ -172,6 +172,15 @@ TEST_CASE("every size key gives the measure it stands for") {
   const InclusionGroup fixed =
       group_of("shape = \"cylinder\"\ncount = 3\ndiameter = 0.2\nlength = 0.6");
   CHECK(fixed.dimensions == Vec3{0.1, 0.3, 0});
+  const InclusionGroup lengths = group_of(
+      "shape = \"cylinder\"\ncount = 3\ndiameter = 0.1\n"
+      "length = { weibull = { shape = 2, scale = 0.5, min = 0.2 }, by = \"volume\" }");
+  CHECK_FALSE(lengths.dimensions.has_value());
+  CHECK(lengths.measure == SizeMeasure::radius);
+  CHECK(std::get<ConstantLaw>(lengths.size.law).value == 0.05);
+  CHECK(lengths.aspect.by == Weighting::volume);
+  CHECK(std::get<WeibullLaw>(lengths.aspect.law).scale == Approx(5.0));
+  CHECK(std::get<WeibullLaw>(lengths.aspect.law).min == Approx(2.0));
   CHECK(group_of("shape = \"ellipsoid\"\ncount = 3\nsemi_axes = [0.3, 0.2, 0.1]").dimensions ==
         Vec3{0.3, 0.2, 0.1});
   CHECK(group_of("shape = \"ellipse\"\ncount = 3\nsemi_axes = [0.3, 0.2]", "[1, 1]").dimensions ==

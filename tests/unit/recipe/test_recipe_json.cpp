@@ -70,6 +70,11 @@ published_stagnation = true
 check_every_event = true
 start = "rsa"
 start_fraction = 0.123
+[packing.relaxation]
+goal = "densest"
+rotate = "free"
+first_step = 0.0321
+least_step = 1e-3
 )";
 
 const std::string kPlane = R"([cell]
@@ -108,6 +113,15 @@ TEST_CASE("a recipe written as JSON and read again is the same to the last bit")
   }
 }
 
+TEST_CASE("lengths of one diameter are written as radius and aspect, and read back") {
+  const std::string text =
+      "[cell]\nsize = [1, 1, 1]\n[[inclusions]]\nshape = \"cylinder\"\ncount = 3\n"
+      "diameter = 0.02\nlength = { uniform = [0.1, 0.3], by = \"volume\" }\n";
+  const std::string written = recipe_to_json(recipe_from_toml(text, "r.toml"));
+  CHECK(nlohmann::json::parse(written)["inclusions"][0]["aspect"]["by"] == "volume");
+  CHECK(recipe_to_json(recipe_from_json(written, "r.json")) == written);
+}
+
 TEST_CASE("the JSON form holds what was read, with overrides applied") {
   const Recipe recipe =
       recipe_from_toml(kSpace, "r.toml", {"packing.seed=5", "inclusions.a.count=7"});
@@ -118,6 +132,9 @@ TEST_CASE("the JSON form holds what was read, with overrides applied") {
   CHECK(json["packing"]["rsa"]["order"] == "group");
   CHECK(json["packing"]["event-driven"]["goal"] == "densest");
   CHECK(json["packing"]["event-driven"]["rotate"] == false);
+  CHECK(json["packing"]["relaxation"]["goal"] == "densest");
+  CHECK(json["packing"]["relaxation"]["first_step"] == 0.0321);
+  CHECK(json["packing"]["relaxation"]["least_step"] == 1e-3);
   CHECK(json["inclusions"][0]["count"] == 7);
   CHECK(json["inclusions"][0]["radius"]["by"] == "volume");
   CHECK(json["inclusions"][4]["half_length"] == 0.15);

@@ -211,7 +211,13 @@ TEST_CASE("who crosses a wall is named with the wall that is crossed deepest, an
   CHECK(found[1].axis == 1);
   CHECK(found[1].wall == 1.0);
   CHECK(found[1].depth == Approx(0.07));
-  CHECK(wall_crossings(spheres(Cell{}, {{0, 0, 0}}, 0.3)).empty());
+  const std::optional<WallCrossing> deepest = deepest_crossing(packing);
+  REQUIRE(deepest.has_value());
+  CHECK(deepest->inclusion == 2);
+  CHECK(deepest->depth == found[1].depth);
+  const Packing inside = spheres(Cell{}, {{0, 0, 0}}, 0.3);
+  CHECK(wall_crossings(inside).empty());
+  CHECK_FALSE(deepest_crossing(inside).has_value());
 }
 
 TEST_CASE("the census adds up per group") {

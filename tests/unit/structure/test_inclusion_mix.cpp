@@ -336,6 +336,12 @@ TEST_CASE("shapes, measures and laws that do not fit are refused") {
   refused(kCube, {group}, "aspect can be as small as -2");
   group.aspect = {UniformLaw{1, 2}, Weighting::volume};
   refused(kCube, {group}, "aspect counts volume");
+  group.fraction.reset();
+  group.measure = SizeMeasure::radius;
+  group.size.law = ConstantLaw{0.01};
+  CHECK_NOTHROW(draw_inclusions(kCube, {group}, 1));
+  group.size.law = UniformLaw{0.01, 0.02};
+  refused(kCube, {group}, "except for cylinders of one radius");
   group = ordered(ShapeKind::cylinder, 2, 0.1);
   group.orientation = TensorOrientation{};
   refused(kCube, {group}, "group 'beads': an orientation tensor of rank 3");

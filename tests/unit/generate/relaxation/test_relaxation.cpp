@@ -174,6 +174,22 @@ TEST_CASE("a relaxation that is told to stop hands out the best state so far") {
   CHECK(late.stop == RelaxationStop::out_of_time);
 }
 
+TEST_CASE("bodies for which no start is given start at random places of their own") {
+  std::atomic<bool> cancel{true};
+  const RelaxationStart first_only = [](std::int64_t) {
+    return std::vector<Vec3>{{0.3, 0.4, 0.5}};
+  };
+  const RelaxationResult result =
+      relaxation_pack(kCube, scenes::equal_spheres(200, 0.1), {.seed = 11},
+                      RunContext{}.cancel_flag(&cancel), first_only);
+  const std::vector<Inclusion>& inclusions = result.packing.inclusions;
+  REQUIRE(inclusions.size() == 200);
+  CHECK(inclusions[0].center == Vec3{0.3, 0.4, 0.5});
+  for (std::size_t i = 1; i < inclusions.size(); ++i) {
+    CHECK(inclusions[i].center != inclusions[i - 1].center);
+  }
+}
+
 TEST_CASE("the energy of the history never rises but where bodies are relocated") {
   const RelaxationResult result =
       relaxation_pack(kCube, scenes::equal_spheres(200, 0.6), {.relocated_share = 0.0, .seed = 12});

@@ -1,0 +1,200 @@
+#include "recipe/estimate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "packstone/core/number_text.hpp"
+#include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/measures.hpp"
+#include "recipe/draw_mix.hpp"
+
+namespace packstone::recipe {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kLongRod = 20.0;  // Aspect from which the law holds.
+
+// Aspect, and the fraction at which rods of random directions jam: with contacts at their ends, up
+// to 5 without long-range order (event-driven growth in a minute), from 10 on relaxed.
+constexpr std::array<std::pair<double, double>, 5> kShortRods{
+    {{1.0, 0.72}, {3.0, 0.64}, {5.0, 0.61}, {10.0, 0.456}, {kLongRod, 0.28}}};
+
+double ceiling_at_random(double aspect) {
+  if (aspect >= kLongRod) return 5.6 / aspect;
+  const auto* const above = std::find_if(kShortRods.begin() + 1, kShortRods.end(),
+                                         [&](const auto& point) { return aspect <= point.first; });
+  const auto& [x0, f0] = *(above - 1);
+  const auto& [x1, f1] = *above;
+  return f0 + (f1 - f0) * std::max(0.0, aspect - x0) / (x1 - x0);
+}
+
+// Mean |sin| of the angle between two axes, over all pairs of some of the bodies.
+double mean_crossing(const std::vector<OrderedBody>& bodies) {
+  constexpr std::size_t kSome = 200;
+  const std::size_t count = std::min(kSome, bodies.size());
+  std::vector<Vec3> axes;
+  for (std::size_t k = 0; k < count; ++k) {
+    axes.push_back(*symmetry_axis(bodies[k * bodies.size() / count].body));
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) sum += norm(cross(axes[i], axes[j]));
+  }
+  return count < 2 ? 0.25 * pi : sum / (0.5 * static_cast<double>(count * (count - 1)));
+}
+
+// Radius and half length.
+std::pair<double, double> rod_of(const Body& body) {
+  if (const auto* rod = std::get_if<Cylinder>(&body)) return {rod->radius, rod->half_length};
+  const auto& rod = std::get<Spherocylinder>(body);
+  return {rod.radius, rod.half_length};
+}
+
+std::optional<double> ceiling_of_rods(const std::vector<OrderedBody>& bodies) {
+  constexpr double kWidest = 1.5;  // over the thinnest: else no single aspect says how they pack
+  double radii = 0.0, half_lengths = 0.0, least = rod_of(bodies.front().body).first, most = least;
+  for (const OrderedBody& ordered : bodies) {
+    const auto [radius, half_length] = rod_of(ordered.body);
+    radii += radius;
+    half_lengths += half_length;
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+  }
+  const double aspect = half_lengths / radii;
+  const bool flat = kind(bodies.front().body) == ShapeKind::cylinder && aspect < 1.0;
+  if (most > kWidest * least || flat) return std::nullopt;
+  const double order = 0.25 * pi / mean_crossing(bodies);
+  // Contacts of ends know no directions: of short rods they are most.
+  const double ceiling =
+      ceiling_at_random(aspect) * std::pow(order, std::min(1.0, aspect / kLongRod));
+  return std::min(ceiling, pi / std::sqrt(12.0));
+}
+
+bool all_equal(const std::vector<OrderedBody>& bodies) {
+  constexpr double kRounding = 1e-9;
+  const auto alike = [](double a, double b) { return std::abs(a - b) <= kRounding * b; };
+  const Body& first = bodies.front().body;
+  return std::all_of(bodies.begin(), bodies.end(), [&](const OrderedBody& b) {
+    return alike(volume(b.body), volume(first)) && alike(surface(b.body), surface(first));
+  });
+}
+
+// Microseconds for a body, of balls, other bodies without edges, rods: measured with one thread at
+// middle fractions.
+struct Costs {
+  double balls, smooth, rods;
+};
+constexpr Costs kAdsorption{5.0, 10.0, 25.0};
+constexpr Costs kRelaxation{3.0, 15.0, 30.0};
+constexpr Costs kGrowth{8.0, 25.0, 400.0};
+constexpr Costs kJamming{2e3, 5e4, 1e6};
+constexpr Costs kRelaxedJamming{5e4, 1e5, 1e5};
+constexpr Costs kCollision{1.0, 4.0, 15.0};
+
+// Of all bodies, in seconds.
+double total(const Costs& costs, const std::vector<OrderedBody>& bodies) {
+  double sum = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    const ShapeKind shape = kind(ordered.body);
+    sum += is_round(shape) ? costs.balls : is_rod(shape) ? costs.rods : costs.smooth;
+  }
+  return 1e-6 * sum;
+}
+
+// The crowding of equal spheres at 0.64.
+constexpr double kMostCrowded = 4.2;
+
+// How near to the densest random packing the order is: at 1 there is no way on.
+double nearness(const PackPlan& plan, double crowded) {
+  const double known = plan.reachable ? plan.fraction / *plan.reachable : 0.0;
+  return std::max(known, std::min(crowded / kMostCrowded, 0.95));
+}
+
+std::optional<double> growth_seconds(const Recipe& recipe, const InclusionMix& mix, double near) {
+  const EventDrivenSettings& settings = recipe.event_driven;
+  if (settings.goal == EventDrivenGoal::densest) return total(kJamming, mix.bodies);
+  if (near >= 1.0) return std::nullopt;
+  const double growth = total(kGrowth, mix.bodies) / (1.0 - near);
+  if (settings.goal == EventDrivenGoal::target) return growth;
+  return growth + settings.collisions_per_body * total(kCollision, mix.bodies);
+}
+
+std::optional<double> seconds_for(const Recipe& recipe, const InclusionMix& mix, PackMethod method,
+                                  double crowded, double near) {
+  switch (method) {
+    case PackMethod::rsa:
+      if (crowded <= 1.0) return total(kAdsorption, mix.bodies);
+      break;
+    case PackMethod::relaxation:
+      if (is_any_size(recipe, method)) return total(kRelaxedJamming, mix.bodies);
+      if (near < 1.0) return total(kRelaxation, mix.bodies) / (1.0 - near);
+      break;
+    case PackMethod::event_driven:
+      return growth_seconds(recipe, mix, near);
+    default:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::string warning_for(const PackPlan& plan, PackMethod method, double crowded) {
+  constexpr double kSaturated = 1.4;  // crowding of equal spheres at 0.38
+  if (method == PackMethod::rsa && crowded > kSaturated) {
+    return "rsa never moves what it placed, and saturates before such a fraction; method = "
+           "\"auto\" goes further";
+  }
+  if (method == PackMethod::rsa || !plan.reachable || plan.fraction <= *plan.reachable) return "";
+  return "fraction " + number_text(plan.fraction, 3) + " is above the " +
+         number_text(*plan.reachable, 3) +
+         " that random packings of such inclusions are known to reach; they get there in order, "
+         "as in a crystal, or not at all";
+}
+
+}  // namespace
+
+std::optional<double> random_ceiling(const std::vector<OrderedBody>& bodies) {
+  if (bodies.empty()) return std::nullopt;
+  const ShapeKind shape = kind(bodies.front().body);
+  const bool one_kind = std::all_of(bodies.begin(), bodies.end(),
+                                    [&](const OrderedBody& b) { return kind(b.body) == shape; });
+  if (!one_kind) return std::nullopt;
+  if (is_rod(shape)) return ceiling_of_rods(bodies);
+  if (!all_equal(bodies)) return std::nullopt;
+  switch (shape) {
+    case ShapeKind::sphere:
+      return 0.64;
+    case ShapeKind::disk:
+      return 0.84;
+    case ShapeKind::ellipse:
+      return 0.90;
+    default:
+      return 0.74;
+  }
+}
+
+PackPlan plan_of(const Recipe& recipe, const InclusionMix& mix, const MethodChoice& choice) {
+  PackPlan plan;
+  plan.method = name(choice.method);
+  plan.method_reason = choice.reason;
+  plan.count = static_cast<std::int64_t>(mix.bodies.size());
+  plan.fraction = fraction_with_gaps(recipe.cell, mix.bodies, recipe.min_gap);
+  const bool open =
+      std::find(mix.open_count.begin(), mix.open_count.end(), true) != mix.open_count.end();
+  if (open) return plan;
+  plan.reachable = random_ceiling(mix.bodies);
+  const double crowded =
+      choice.crowded ? *choice.crowded
+                     : (crowding(recipe.cell, mix.bodies, recipe.min_gap, recipe.rsa.order));
+  const double near = nearness(plan, crowded);
+  plan.seconds = seconds_for(recipe, mix, choice.method, crowded, near);
+  if (!is_any_size(recipe, choice.method)) {
+    plan.warning = warning_for(plan, choice.method, crowded);
+  }
+  return plan;
+}
+
+}  // namespace packstone::recipe
