@@ -13,13 +13,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "growth_scenes.hpp"
 #include "packstone/generate/relaxation.hpp"
-#include "packstone/generate/rsa.hpp"
-#include "packstone/geometry/measures.hpp"
+#include "packstone/recipe/pack.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "packstone/structure/orientation_law.hpp"
 #include "packstone/structure/orientation_order.hpp"
@@ -47,33 +47,15 @@ struct Outcome {
 struct Mode {
   double limit_s = 60.0;
   int threads = 1;
-  double start = 0.0;  // Lengths at which random sequential adsorption places them first; 0: not.
 };
-
-std::vector<Vec3> centers_from_rsa(const std::vector<OrderedBody>& bodies, double factor,
-                                   std::uint64_t seed) {
-  std::vector<OrderedBody> smaller = bodies;
-  for (OrderedBody& b : smaller) b.body = scaled(b.body, factor);
-  std::vector<Vec3> centers;
-  const RsaResult placed = rsa_pack({}, smaller, {.seed = seed});
-  for (const Inclusion& inclusion : placed.packing.inclusions) centers.push_back(inclusion.center);
-  centers.resize(bodies.size());
-  return centers;
-}
 
 Outcome run_once(const std::vector<OrderedBody>& bodies, std::uint64_t seed, const Mode& mode) {
   RunContext run;
   run.threads(mode.threads);
   run.time_limit(mode.limit_s);
-  RelaxationStart start;
-  if (mode.start > 0.0) {
-    start = [&](std::int64_t attempt) {
-      return centers_from_rsa(bodies, mode.start, seed + static_cast<std::uint64_t>(attempt));
-    };
-  }
   const auto begin = RunContext::Clock::now();
   const double before = processor_seconds();
-  RelaxationResult result = relaxation_pack({}, bodies, {.seed = seed}, run, start);
+  RelaxationResult result = relaxation_pack({}, bodies, {.seed = seed}, run);
   const Certificate certificate =
       check_packing(result.packing, {}, RunContext{}.threads(mode.threads));
   const double seconds = processor_seconds() - before;
@@ -128,36 +110,35 @@ struct FiberCase {
   SymMat3 tensor;
   double aspect;
   double fraction;
-  double start;  // Fraction at which they are placed first.
-  double edge;   // Of the cell, in lengths.
+  double edge;  // Of the cell, in lengths.
 };
 
 const std::vector<FiberCase>& fiber_cases() {
   constexpr double third = 1.0 / 3.0;
   constexpr SymMat3 iso{third, third, third, 0, 0, 0}, injected{0.7, 0.25, 0.05, 0, 0, 0},
       aligned{0.9, 0.05, 0.05, 0, 0, 0}, planar{0.5, 0.5, 0, 0, 0, 0};
-  static const std::vector<FiberCase> cases = {{"iso-20", iso, 20, 0.20, 0.08, 2},
-                                               {"iso-50", iso, 50, 0.10, 0.045, 2},
-                                               {"iso-100", iso, 100, 0.05, 0.024, 2},
-                                               {"iso-200", iso, 200, 0.02, 0.011, 2},
-                                               {"most-iso-10", iso, 10, 0.456, 0.15, 2},
-                                               {"most-iso-20", iso, 20, 0.28, 0.11, 2},
-                                               {"most-iso-50", iso, 50, 0.112, 0.05, 2},
-                                               {"most-iso-100", iso, 100, 0.056, 0.026, 2},
-                                               {"most-iso-200", iso, 200, 0.028, 0.012, 2},
-                                               {"injected-10", injected, 10, 0.525, 0.14, 2},
-                                               {"injected-20", injected, 20, 0.33, 0.11, 2},
-                                               {"injected-50", injected, 50, 0.15, 0.05, 2},
-                                               {"injected-100", injected, 100, 0.074, 0.024, 2},
-                                               {"aligned-10", aligned, 10, 0.58, 0.2, 2},
-                                               {"aligned-20", aligned, 20, 0.48, 0.13, 2},
-                                               {"aligned-50", aligned, 50, 0.21, 0.07, 2},
-                                               {"planar-10", planar, 10, 0.50, 0.12, 2},
-                                               {"planar-20", planar, 20, 0.36, 0.1, 2}};
+  static const std::vector<FiberCase> cases = {{"iso-20", iso, 20, 0.20, 2},
+                                               {"iso-50", iso, 50, 0.10, 2},
+                                               {"iso-100", iso, 100, 0.05, 2},
+                                               {"iso-200", iso, 200, 0.02, 2},
+                                               {"most-iso-10", iso, 10, 0.456, 2},
+                                               {"most-iso-20", iso, 20, 0.28, 2},
+                                               {"most-iso-50", iso, 50, 0.112, 2},
+                                               {"most-iso-100", iso, 100, 0.056, 2},
+                                               {"most-iso-200", iso, 200, 0.028, 2},
+                                               {"injected-10", injected, 10, 0.525, 2},
+                                               {"injected-20", injected, 20, 0.33, 2},
+                                               {"injected-50", injected, 50, 0.15, 2},
+                                               {"injected-100", injected, 100, 0.074, 2},
+                                               {"aligned-10", aligned, 10, 0.58, 2},
+                                               {"aligned-20", aligned, 20, 0.48, 2},
+                                               {"aligned-50", aligned, 50, 0.21, 2},
+                                               {"planar-10", planar, 10, 0.50, 2},
+                                               {"planar-20", planar, 20, 0.36, 2}};
   return cases;
 }
 
-std::vector<OrderedBody> fibers(const FiberCase& of, ShapeKind shape, std::uint64_t seed) {
+Recipe recipe_of(const FiberCase& of, ShapeKind shape, std::uint64_t seed) {
   InclusionGroup group;
   group.name = "fibers";
   group.shape = shape;
@@ -165,7 +146,25 @@ std::vector<OrderedBody> fibers(const FiberCase& of, ShapeKind shape, std::uint6
   group.dimensions = Vec3{half / of.aspect, half, 0};
   group.fraction = of.fraction;
   group.orientation = TensorOrientation{of.tensor};
-  return draw_inclusions({}, {group}, seed).bodies;
+  Recipe recipe;
+  recipe.groups = {group};
+  recipe.method = PackMethod::relaxation;
+  recipe.seed = seed;
+  return recipe;
+}
+
+// As the program does it.
+Outcome run_recipe(const Recipe& recipe, const Mode& mode) {
+  RunContext run;
+  run.threads(mode.threads);
+  run.time_limit(mode.limit_s);
+  const auto begin = RunContext::Clock::now();
+  const double before = processor_seconds();
+  PackOutcome packed = pack(recipe, run);
+  const double seconds = processor_seconds() - before;
+  const std::chrono::duration<double> elapsed = RunContext::Clock::now() - begin;
+  const bool passed = packed.target_reached && packed.packing.certificate->passed();
+  return {seconds, elapsed.count(), packed.relaxation->report, std::move(packed.packing), passed};
 }
 
 double tensor_error(const Packing& packing, const SymMat3& wanted) {
@@ -174,7 +173,7 @@ double tensor_error(const Packing& packing, const SymMat3& wanted) {
                    std::abs(d.xy)});
 }
 
-void run_fibers(int runs, Mode mode, ShapeKind shape, const std::string& only) {
+void run_fibers(int runs, const Mode& mode, ShapeKind shape, const std::string& only) {
   fmt::print(
       "# {} seeds, {}s, at most {} s\n# fibers             N aspect fraction  median-s     "
       "max-s passed relocated tensor-error hash\n",
@@ -187,10 +186,8 @@ void run_fibers(int runs, Mode mode, ShapeKind shape, const std::string& only) {
     std::size_t count = 0;
     for (int seed = 1; seed <= runs; ++seed) {
       const auto key = static_cast<std::uint64_t>(seed);
-      const auto bodies = fibers(of, shape, key);
-      count = bodies.size();
-      mode.start = std::cbrt(of.start / of.fraction);
-      const Outcome outcome = run_once(bodies, key, mode);
+      const Outcome outcome = run_recipe(recipe_of(of, shape, key), mode);
+      count = outcome.packing.inclusions.size();
       add(all, outcome);
       relocated = std::max(relocated, outcome.report.relocated);
       error = std::max(error, tensor_error(outcome.packing, of.tensor));
@@ -203,26 +200,24 @@ void run_fibers(int runs, Mode mode, ShapeKind shape, const std::string& only) {
   }
 }
 
+Outcome run_many(const std::string& what, int n, const Mode& mode) {
+  if (what == "spheres") return run_once(scenes::equal_spheres(n, 0.50), 1, mode);
+  if (what == "mixture") {
+    return run_once(scenes::cylinders_and_spheres(n / 2, 0.20, 0.20, 3, 1), 1, mode);
+  }
+  const double edge = std::cbrt(n / 0.20 * std::numbers::pi / 4 / 400);
+  const FiberCase of{"", {1.0 / 3, 1.0 / 3, 1.0 / 3, 0, 0, 0}, 20, 0.20, edge};
+  return run_recipe(recipe_of(of, ShapeKind::spherocylinder, 1), mode);
+}
+
 void run_scaling(const std::string& what, int largest, int threads) {
   fmt::print("# {} threads\n# scaling {:>9} {:>10} {:>10} us/body steps passed hash\n", threads,
              "N", "s", "elapsed-s");
   for (int n = 1000; n <= largest; n *= 10) {
-    Mode mode{.limit_s = 600, .threads = threads};
-    std::vector<OrderedBody> bodies;
-    if (what == "spheres") {
-      bodies = scenes::equal_spheres(n, 0.50);
-    } else if (what == "mixture") {
-      bodies = scenes::cylinders_and_spheres(n / 2, 0.20, 0.20, 3, 1);
-    } else {
-      const double edge = std::cbrt(n / 0.20 * 3.14159 / 4 / 400);
-      const FiberCase of{"", {1.0 / 3, 1.0 / 3, 1.0 / 3, 0, 0, 0}, 20, 0.20, 0.08, edge};
-      bodies = fibers(of, ShapeKind::spherocylinder, 1);
-      mode.start = std::cbrt(of.start / of.fraction);
-    }
-    const Outcome outcome = run_once(bodies, 1, mode);
-    fmt::print("{:<9} {:9} {:10.3f} {:10.3f} {:7.1f} {:5} {:6} {:016x}\n", what, bodies.size(),
-               outcome.seconds, outcome.elapsed,
-               1e6 * outcome.seconds / static_cast<double>(bodies.size()),
+    const Outcome outcome = run_many(what, n, {.limit_s = 600, .threads = threads});
+    const std::size_t count = outcome.packing.inclusions.size();
+    fmt::print("{:<9} {:9} {:10.3f} {:10.3f} {:7.1f} {:5} {:6} {:016x}\n", what, count,
+               outcome.seconds, outcome.elapsed, 1e6 * outcome.seconds / static_cast<double>(count),
                outcome.report.iterations, outcome.passed, scenes::state_hash(outcome.packing));
     std::fflush(stdout);
   }

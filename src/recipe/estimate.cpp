@@ -54,24 +54,20 @@ std::pair<double, double> rod_of(const Body& body) {
   return {rod.radius, rod.half_length};
 }
 
+// Of rods, where a single aspect says how they pack.
 std::optional<double> ceiling_of_rods(const std::vector<OrderedBody>& bodies) {
-  constexpr double kWidest = 1.5;  // over the thinnest: else no single aspect says how they pack
-  double radii = 0.0, half_lengths = 0.0, least = rod_of(bodies.front().body).first, most = least;
-  for (const OrderedBody& ordered : bodies) {
-    const auto [radius, half_length] = rod_of(ordered.body);
-    radii += radius;
-    half_lengths += half_length;
-    least = std::min(least, radius);
-    most = std::max(most, radius);
-  }
-  const double aspect = half_lengths / radii;
-  const bool flat = kind(bodies.front().body) == ShapeKind::cylinder && aspect < 1.0;
-  if (most > kWidest * least || flat) return std::nullopt;
-  const double order = 0.25 * pi / mean_crossing(bodies);
+  constexpr double kWidest = 1.5;  // Over the thinnest.
+  const auto by_radius = [](const OrderedBody& a, const OrderedBody& b) {
+    return rod_of(a.body).first < rod_of(b.body).first;
+  };
+  const auto [thin, thick] = std::minmax_element(bodies.begin(), bodies.end(), by_radius);
+  const RodOrder rods = *rod_order(bodies);
+  const bool flat = kind(bodies.front().body) == ShapeKind::cylinder && rods.aspect < 1.0;
+  if (rod_of(thick->body).first > kWidest * rod_of(thin->body).first || flat) return std::nullopt;
   // Contacts of ends know no directions: of short rods they are most.
-  const double ceiling =
-      ceiling_at_random(aspect) * std::pow(order, std::min(1.0, aspect / kLongRod));
-  return std::min(ceiling, pi / std::sqrt(12.0));
+  const double part = std::min(1.0, rods.aspect / kLongRod);
+  return std::min(ceiling_at_random(rods.aspect) / std::pow(rods.crossing, part),
+                  pi / std::sqrt(12.0));
 }
 
 bool all_equal(const std::vector<OrderedBody>& bodies) {
@@ -174,6 +170,18 @@ std::optional<double> random_ceiling(const std::vector<OrderedBody>& bodies) {
     default:
       return 0.74;
   }
+}
+
+std::optional<RodOrder> rod_order(const std::vector<OrderedBody>& bodies) {
+  double radii = 0.0, half_lengths = 0.0;
+  for (const OrderedBody& ordered : bodies) {
+    if (!is_rod(kind(ordered.body))) return std::nullopt;
+    const auto [radius, half_length] = rod_of(ordered.body);
+    radii += radius;
+    half_lengths += half_length;
+  }
+  if (bodies.empty()) return std::nullopt;
+  return RodOrder{half_lengths / radii, mean_crossing(bodies) / (0.25 * pi)};
 }
 
 PackPlan plan_of(const Recipe& recipe, const InclusionMix& mix, const MethodChoice& choice) {

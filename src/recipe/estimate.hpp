@@ -25,6 +25,13 @@ namespace packstone::recipe {
 ///   from 20 to 200; shorter rods stay below the law, and a table takes over.
 [[nodiscard]] std::optional<double> random_ceiling(const std::vector<OrderedBody>& bodies);
 
+/// How rods are, where all bodies are rods.
+struct RodOrder {
+  double aspect = 0.0;    ///< Mean length over mean diameter [-].
+  double crossing = 1.0;  ///< <|sin gamma|> over pi / 4, that of random directions [-].
+};
+[[nodiscard]] std::optional<RodOrder> rod_order(const std::vector<OrderedBody>& bodies);
+
 /// What is about to be done.
 [[nodiscard]] PackPlan plan_of(const Recipe& recipe, const InclusionMix& mix,
                                const MethodChoice& choice);

@@ -5,14 +5,29 @@
 
 #include "packstone/geometry/measures.hpp"
 #include "recipe/choose_method.hpp"
+#include "recipe/estimate.hpp"
 #include "recipe/run_rsa.hpp"
 
 namespace packstone::recipe {
 namespace {
 
-// How far below what random sequential adsorption surely reaches a start stays, so that it takes
-// little of the time.
-constexpr double kEasyCrowding = 2.0 / 3.0;
+// How far from what random sequential adsorption surely reaches a start stays, so that it takes
+// little of the time. Trials with long rods are cheap, and overlaps of these go away the more
+// easily the fewer there are. What counts for them is how many of those that stand one would meet:
+// six, of which crowding() takes a root of what one excludes, in volumes of its own.
+double easy_crowding(const std::vector<OrderedBody>& bodies) {
+  constexpr double kOfOthers = 2.0 / 3.0, kOfLongRods = 1.8, kShort = 2.0, kLong = 20.0;
+  const std::optional<RodOrder> rods = rod_order(bodies);
+  if (!rods) return kOfOthers;
+  const double part = std::clamp((rods->aspect - kShort) / (kLong - kShort), 0.0, 1.0);
+  const double x = rods->aspect;
+  const double of_rods = kOfLongRods / std::pow(1.0 + 0.25 * x, 0.2);
+  // What two spherocylinders exclude, over pi D^3 / 2 (L. Onsager, Ann. N. Y. Acad. Sci. 51 (1949)
+  // 627-659), at random over as they are.
+  const double at_random = x * x + 4.0 * x + 8.0 / 3.0;
+  const double as_are = x * x * rods->crossing + 4.0 * x + 8.0 / 3.0;
+  return (kOfOthers + part * (of_rods - kOfOthers)) * std::sqrt(at_random / as_are);
+}
 
 double fraction_of(const Cell& cell, const std::vector<OrderedBody>& bodies) {
   double sum = 0.0;
@@ -34,21 +49,42 @@ double start_factor(const Recipe& recipe, const std::vector<OrderedBody>& bodies
     return std::min(1.0, std::pow(fraction / all, 1.0 / recipe.cell.dimension));
   };
   if (ordered) return factor_at(*ordered);
-  double factor = factor_at(most);
-  // Gaps do not shrink with the bodies: below some size nothing is won.
-  for (int k = 0; k < 20; ++k, factor *= 0.9) {
+  const double easy = easy_crowding(bodies);
+  const auto is_easy = [&](double factor) {
     const std::vector<OrderedBody> smaller = scaled_bodies(bodies, factor);
-    if (crowding(recipe.cell, smaller, recipe.min_gap, recipe.rsa.order) <= kEasyCrowding) break;
+    return crowding(recipe.cell, smaller, recipe.min_gap, recipe.rsa.order) <= easy;
+  };
+  double high = factor_at(most);
+  if (is_easy(high)) return high;
+  // Gaps do not shrink with the bodies: below some size nothing is won.
+  double low = 0.1 * high;
+  for (int k = 0; k < 8; ++k) {
+    const double middle = 0.5 * (low + high);
+    (is_easy(middle) ? low : high) = middle;
   }
-  return factor;
+  return low;
 }
 
-RsaResult place_smaller(const Recipe& recipe, std::vector<OrderedBody> bodies, double factor,
-                        std::uint64_t seed, const RunContext& run) {
+SmallerPlaced place_smaller(const Recipe& recipe, const std::vector<OrderedBody>& bodies,
+                            double factor, bool ordered, std::uint64_t seed,
+                            const RunContext& run) {
+  constexpr std::int64_t kMostTrials = 10'000;
+  constexpr double kSmaller = 0.95;
+  constexpr int kMostTries = 20;
   RsaOptions options = rsa_options(recipe);
   options.redraw_orientation.clear();
   options.seed = seed;
-  return rsa_pack(recipe.cell, scaled_bodies(std::move(bodies), factor), options, run);
+  if (!ordered) {
+    options.max_trials = std::min(options.max_trials, kMostTrials);
+    options.max_restarts = 0;
+  }
+  SmallerPlaced result;
+  for (int k = 0; k < kMostTries; ++k, factor *= kSmaller) {
+    result = {rsa_pack(recipe.cell, scaled_bodies(bodies, factor), options, run), factor};
+    const RsaStop stop = result.rsa.stop;
+    if (ordered || (stop != RsaStop::given_up && stop != RsaStop::saturated)) break;
+  }
+  return result;
 }
 
 }  // namespace packstone::recipe

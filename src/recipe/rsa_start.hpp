@@ -17,8 +17,16 @@ namespace packstone::recipe {
 [[nodiscard]] double start_factor(const Recipe& recipe, const std::vector<OrderedBody>& bodies,
                                   const std::optional<double>& ordered, double most);
 
-/// Places the bodies, `factor` as large, turned as they are.
-[[nodiscard]] RsaResult place_smaller(const Recipe& recipe, std::vector<OrderedBody> bodies,
-                                      double factor, std::uint64_t seed, const RunContext& run);
+/// Where smaller bodies stand.
+struct SmallerPlaced {
+  RsaResult rsa;
+  double factor = 1.0;  ///< By which the bodies were made smaller.
+};
+
+/// Places the bodies, `factor` as large, turned as they are. Where the fraction was not `ordered`
+/// and some of them do not find a place after some thousand trials, tries again with smaller ones.
+[[nodiscard]] SmallerPlaced place_smaller(const Recipe& recipe,
+                                          const std::vector<OrderedBody>& bodies, double factor,
+                                          bool ordered, std::uint64_t seed, const RunContext& run);
 
 }  // namespace packstone::recipe

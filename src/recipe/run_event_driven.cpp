@@ -94,9 +94,11 @@ std::string start_sentence(const RsaResult& placed, const Cell& cell) {
 
 PackOutcome run_from_rsa(const Recipe& recipe, const InclusionMix& mix, const RunContext& run,
                          const Checkpointing& checkpointing) {
-  const double factor =
+  const double wanted =
       start_factor(recipe, mix.bodies, recipe.event_driven.start_fraction, kStartFraction);
-  RsaResult placed = place_smaller(recipe, mix.bodies, factor, recipe.seed, run);
+  const bool ordered = recipe.event_driven.start_fraction.has_value();
+  const auto [placed, factor] =
+      place_smaller(recipe, mix.bodies, wanted, ordered, recipe.seed, run);
   PackOutcome outcome;
   if (placed.stop == RsaStop::target_reached) {
     outcome = finished(recipe, mix,

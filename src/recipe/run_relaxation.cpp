@@ -36,7 +36,8 @@ class RsaStart {
 
   std::vector<Vec3> operator()(std::int64_t attempt) const {
     const std::uint64_t seed = recipe_.seed + static_cast<std::uint64_t>(attempt);
-    const RsaResult placed = place_smaller(recipe_, mix_.bodies, factor_, seed, run_);
+    const bool ordered = recipe_.relaxation.start_fraction.has_value();
+    const RsaResult placed = place_smaller(recipe_, mix_.bodies, factor_, ordered, seed, run_).rsa;
     std::vector<Vec3> centers;
     for (const Inclusion& inclusion : placed.packing.inclusions) {
       centers.push_back(inclusion.center);
