@@ -10,6 +10,7 @@ namespace packstone::relaxation {
 namespace {
 
 constexpr std::int64_t kChunk = 4096;
+constexpr std::int64_t kFewest = 32;  // Chunks that are worth waking threads for.
 constexpr std::size_t kMostPairs = 8;
 // Each contact has curvature 1 along its normal, and a body some four of them.
 constexpr double kFirstScale = 0.3;
@@ -17,7 +18,7 @@ constexpr double kFirstScale = 0.3;
 template <class Part>
 void for_chunks(std::size_t size, int threads, Part&& part) {
   const std::int64_t chunks = (static_cast<std::int64_t>(size) + kChunk - 1) / kChunk;
-  parallel_for(chunks, threads, 4, [&](std::int64_t from, std::int64_t to) {
+  parallel_for(chunks, threads, kFewest, [&](std::int64_t from, std::int64_t to) {
     for (std::int64_t c = from; c < to; ++c) {
       const auto begin = static_cast<std::size_t>(c * kChunk);
       part(static_cast<std::size_t>(c), begin, std::min(size, begin + kChunk));

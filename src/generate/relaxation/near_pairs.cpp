@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <tuple>
 
 #include "packstone/core/parallel.hpp"
@@ -111,7 +110,7 @@ bool NearPairs::follow(const Bodies& bodies, int threads) {
   std::vector<std::vector<std::size_t>> far_of(chunks);
   const double most = 0.5 * margin_;
   parallel_for(
-      static_cast<std::int64_t>(chunks), threads, 16, [&](std::int64_t from, std::int64_t to) {
+      static_cast<std::int64_t>(chunks), threads, 64, [&](std::int64_t from, std::int64_t to) {
         for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c) {
           const std::size_t last = std::min(n, (c + 1) * kChunk);
           for (std::size_t i = c * kChunk; i < last; ++i) {
@@ -142,8 +141,15 @@ void NearPairs::refresh(const Bodies& bodies, const std::vector<std::size_t>& fa
   };
   std::vector<NearPair> known, found;
   for (auto& pairs : chunks_) {
-    const auto kept = std::stable_partition(pairs.begin(), pairs.end(), std::not_fn(with_far));
-    known.insert(known.end(), kept, pairs.end());
+    const auto first = std::find_if(pairs.begin(), pairs.end(), with_far);
+    auto kept = first;
+    for (auto at = first; at != pairs.end(); ++at) {
+      if (with_far(*at)) {
+        known.push_back(*at);
+      } else {
+        *kept++ = *at;
+      }
+    }
     pairs.erase(kept, pairs.end());
   }
   for (const std::size_t i : far) {

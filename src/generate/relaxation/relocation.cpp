@@ -10,7 +10,7 @@
 namespace packstone::relaxation {
 namespace {
 
-constexpr int kPlaces = 300;
+constexpr int kPlaces = 1000;
 
 // Finds how much a body would overlap at a place.
 class Places {
