@@ -27,11 +27,6 @@ void check_options(const RelaxedGrowthOptions& options) {
               "(0, first_step]");
 }
 
-std::vector<OrderedBody> scaled_bodies(std::vector<OrderedBody> bodies, double factor) {
-  for (OrderedBody& ordered : bodies) ordered.body = scaled(ordered.body, factor);
-  return bodies;
-}
-
 Packing scaled_packing(Packing packing, double factor) {
   for (Inclusion& inclusion : packing.inclusions) inclusion.body = scaled(inclusion.body, factor);
   return packing;
@@ -56,7 +51,7 @@ class Growth {
     constexpr int kMostHalvings = 20;
     double factor = options_.start_factor;
     for (int k = 0; k <= kMostHalvings; ++k, factor *= factor_of(0.5)) {
-      take(relaxation_pack(cell_, scaled_bodies(bodies, factor), options_.relaxation, run_, start),
+      take(relaxation_pack(cell_, scaled(bodies, factor), options_.relaxation, run_, start),
            factor);
       if (result_.at_rest) return true;
       if (result_.stop != RelaxationStop::stalled) return false;

@@ -35,11 +35,6 @@ double fraction_of(const Cell& cell, const std::vector<OrderedBody>& bodies) {
   return sum / volume(cell);
 }
 
-std::vector<OrderedBody> scaled_bodies(std::vector<OrderedBody> bodies, double factor) {
-  for (OrderedBody& b : bodies) b.body = scaled(b.body, factor);
-  return bodies;
-}
-
 }  // namespace
 
 double start_factor(const Recipe& recipe, const std::vector<OrderedBody>& bodies,
@@ -51,7 +46,7 @@ double start_factor(const Recipe& recipe, const std::vector<OrderedBody>& bodies
   if (ordered) return factor_at(*ordered);
   const double easy = easy_crowding(bodies);
   const auto is_easy = [&](double factor) {
-    const std::vector<OrderedBody> smaller = scaled_bodies(bodies, factor);
+    const std::vector<OrderedBody> smaller = scaled(bodies, factor);
     return crowding(recipe.cell, smaller, recipe.min_gap, recipe.rsa.order) <= easy;
   };
   double high = factor_at(most);
@@ -80,7 +75,7 @@ SmallerPlaced place_smaller(const Recipe& recipe, const std::vector<OrderedBody>
   }
   SmallerPlaced result;
   for (int k = 0; k < kMostTries; ++k, factor *= kSmaller) {
-    result = {rsa_pack(recipe.cell, scaled_bodies(bodies, factor), options, run), factor};
+    result = {rsa_pack(recipe.cell, scaled(bodies, factor), options, run), factor};
     const RsaStop stop = result.rsa.stop;
     if (ordered || (stop != RsaStop::given_up && stop != RsaStop::saturated)) break;
   }

@@ -276,6 +276,11 @@ std::string InclusionLimit::why_not(double count) const {
          gigabytes(static_cast<double>(most)) + "; " + allowed;
 }
 
+std::vector<OrderedBody> scaled(std::vector<OrderedBody> bodies, double factor) {
+  for (OrderedBody& ordered : bodies) ordered.body = scaled(ordered.body, factor);
+  return bodies;
+}
+
 InclusionMix draw_inclusions(const Cell& cell, const std::vector<InclusionGroup>& groups,
                              std::uint64_t seed, const InclusionLimit& limit) {
   check_cell(cell);

@@ -85,6 +85,9 @@ struct OrderedBody {
   int group = 0;  ///< Index of its InclusionGroup.
 };
 
+/// The bodies with all lengths multiplied by `factor` > 0.
+[[nodiscard]] std::vector<OrderedBody> scaled(std::vector<OrderedBody> bodies, double factor);
+
 /// The bodies of all groups, in the order of the groups, and what was derived on the way.
 struct InclusionMix {
   std::vector<OrderedBody> bodies;
