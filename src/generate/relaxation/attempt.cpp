@@ -45,7 +45,10 @@ Attempt::Attempt(const Packing& packing, const RelaxationOptions& options, std::
 
 Energy Attempt::evaluate(Motion& gradient) {
   const Energy energy = overlap_(bodies_, gradient);
-  for (const TensorHold& hold : holds_) hold.project(bodies_, gradient);
+  for (TensorHold& hold : holds_) {
+    hold.look(bodies_);
+    hold.project(bodies_, gradient);
+  }
   return energy;
 }
 

@@ -42,7 +42,7 @@ void keep_hints(std::vector<NearPair> known, std::vector<NearPair>& pairs) {
 
 // Two bodies push each other from as far as the lesser of their shells.
 void NearPairs::set_capsule(const Bodies& bodies, std::size_t i) {
-  const double around = 0.5 * (margin_ + bodies.min_gap + bodies.shell[i]);
+  const double around = 0.5 * (margin_[i] + bodies.min_gap + bodies.shell[i]);
   Capsule capsule = capsule_about(bodies.posed[i], around);
   for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
     if (!cell_.periodic[a]) continue;
@@ -70,7 +70,7 @@ NearPair NearPairs::pair_of(std::size_t i, std::int32_t j, const CapsuleGrid::Im
 
 void NearPairs::find(const Bodies& bodies, double margin, int threads) {
   const std::size_t n = bodies.count();
-  margin_ = margin;
+  margin_.assign(n, margin);
   refreshed_ = 0;
   capsules_.resize(n);
   wraps_.resize(n);
@@ -108,7 +108,6 @@ bool NearPairs::follow(const Bodies& bodies, int threads) {
   if (last_.size() != n) return false;
   const std::size_t chunks = (n + kChunk - 1) / kChunk;
   std::vector<std::vector<std::size_t>> far_of(chunks);
-  const double most = 0.5 * margin_;
   parallel_for(
       static_cast<std::int64_t>(chunks), threads, 64, [&](std::int64_t from, std::int64_t to) {
         for (auto c = static_cast<std::size_t>(from); c < static_cast<std::size_t>(to); ++c) {
@@ -116,7 +115,7 @@ bool NearPairs::follow(const Bodies& bodies, int threads) {
           for (std::size_t i = c * kChunk; i < last; ++i) {
             path_[i] += moved(bodies, i, last_[i]);
             last_[i] = bodies.posed[i].pose;
-            if (!(path_[i] <= most)) far_of[c].push_back(i);
+            if (!(path_[i] <= 0.5 * margin_[i])) far_of[c].push_back(i);
           }
         }
       });
@@ -133,6 +132,7 @@ void NearPairs::refresh(const Bodies& bodies, const std::vector<std::size_t>& fa
   for (const std::size_t i : far) {
     is_far_[i] = true;
     grid_.remove(static_cast<std::int32_t>(i));
+    margin_[i] = std::max(margin_[i], std::min(2.0 * margin_[i], bodies.reach[i]));
     set_capsule(bodies, i);
     grid_.insert(static_cast<std::int32_t>(i), capsules_[i]);
   }

@@ -35,7 +35,8 @@ class NearPairs {
   explicit NearPairs(const Cell& cell) : cell_(cell), grid_(cell) {}
 
   /// Finds all pairs that can push each other while the path of no body is longer than half of
-  /// `margin` [L]. Hints of pairs that were known are kept.
+  /// `margin` [L]. Hints of pairs that were known are kept. Bodies that are found anew get a margin
+  /// twice as wide each time.
   void find(const Bodies& bodies, double margin, int threads);
 
   /// Adds what the bodies have moved since the last look to their paths, and finds the pairs of
@@ -60,7 +61,7 @@ class NearPairs {
   void refresh(const Bodies& bodies, const std::vector<std::size_t>& far);
 
   Cell cell_;
-  double margin_ = 0.0;
+  std::vector<double> margin_;  // Of each body [L].
   CapsuleGrid grid_;
   CapsuleGrid::Scratch scratch_;
   std::vector<Capsule> capsules_;  // In the grid.

@@ -16,6 +16,16 @@ SymMat3 mean_dyad(const Bodies& bodies, const std::vector<std::size_t>& members)
   return (1.0 / static_cast<double>(members.size())) * sum;
 }
 
+// How turns change the mean.
+Mat6 slopes(const Bodies& bodies, const std::vector<std::size_t>& members) {
+  Mat6 products{};
+  const double weight = 2.0 / static_cast<double>(members.size());
+  for (const std::size_t i : members) {
+    add_products(basis_turns(bodies.posed[i].pose.axis), weight, products);
+  }
+  return made_definite(products);
+}
+
 // The axis of a body becomes `axis`, which is near; a second axis keeps across it.
 void set_axis(PosedBody& body, const Vec3& axis) {
   body.pose.axis = axis;
@@ -46,40 +56,49 @@ std::vector<std::size_t> members_of(const Bodies& bodies, const Packing& packing
 
 }  // namespace
 
+void TensorHold::look(const Bodies& bodies) {
+  turns_ = slopes(bodies, members_);
+  Mat6 motions{};
+  for (const std::size_t i : members_) {
+    const double arm = bodies.turning[i].arm;
+    add_products(basis_turns(bodies.posed[i].pose.axis), 1.0 / (arm * arm), motions);
+  }
+  motions_ = made_definite(motions);
+}
+
 void TensorHold::project(const Bodies& bodies, Motion& motion) const {
-  Mat6 products{};
-  Vec6 along{};
+  SymMat3 change{};
   for (const std::size_t i : members_) {
     const Vec3& u = bodies.posed[i].pose.axis;
-    const double per_arm = 1.0 / bodies.turning[i].arm;
-    const auto turns = basis_turns(u);
-    const Vec3 turned = cross(vec_at(motion, bodies.turn_at(i)), u);
-    for (std::size_t a = 0; a < 6; ++a) along[a] += per_arm * dot(turns[a], turned);
-    add_products(turns, per_arm * per_arm, products);
+    const Vec3 t = (1.0 / bodies.turning[i].arm) * cross(vec_at(motion, bodies.turn_at(i)), u);
+    change = change + SymMat3{u.x * t.x,
+                              u.y * t.y,
+                              u.z * t.z,
+                              0.5 * (u.y * t.z + u.z * t.y),
+                              0.5 * (u.x * t.z + u.z * t.x),
+                              0.5 * (u.x * t.y + u.y * t.x)};
   }
-  const SymMat3 map = from_components(solve(made_definite(products), along));
+  const SymMat3 map = from_components(solve(motions_, components(change)));
   for (const std::size_t i : members_) {
     const Vec3& u = bodies.posed[i].pose.axis;
     add_at(motion, bodies.turn_at(i), (-1.0 / bodies.turning[i].arm) * cross(u, map * u));
   }
 }
 
+// Newton's steps. The slopes of the last look, a step away, mostly do.
 bool TensorHold::restore(Bodies& bodies) const {
-  constexpr int kMostRounds = 8;
+  constexpr int kMostRounds = 16, kPatience = 4;
   constexpr double kMet = 1e-14, kGoodEnough = 1e-12;
   double error = 0.0;
+  Mat6 at_hand = turns_;
   for (int round = 0; round < kMostRounds; ++round) {
+    if (round >= kPatience) at_hand = slopes(bodies, members_);
     const Vec6 missing = components(tensor_ - mean_dyad(bodies, members_));
     error = 0.0;
     for (const double m : missing) error = std::max(error, std::abs(m));
     if (error <= kMet) return true;
     if (!(error < 0.3)) return false;
-    Mat6 products{};
-    const double weight = 2.0 / static_cast<double>(members_.size());
-    for (const std::size_t i : members_) {
-      add_products(basis_turns(bodies.posed[i].pose.axis), weight, products);
-    }
-    const SymMat3 map = from_components(solve(made_definite(products), missing));
+    const SymMat3 map = from_components(solve(at_hand, missing));
     for (const std::size_t i : members_) {
       const Vec3& u = bodies.posed[i].pose.axis;
       set_axis(bodies.posed[i], normalized(u + map * u));
@@ -109,6 +128,7 @@ std::vector<TensorHold> tensor_holds(Bodies& bodies, const Packing& packing,
       for (const std::size_t i : members) bodies.turning[i].about = eigen.vectors.col_z;
     }
     holds.emplace_back(std::move(members), tensor);
+    holds.back().look(bodies);
   }
   renumber(bodies);
   return holds;

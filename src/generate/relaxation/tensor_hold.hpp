@@ -8,6 +8,7 @@
 
 #include "generate/relaxation/bodies.hpp"
 #include "packstone/core/mat.hpp"
+#include "structure/tensor_turns.hpp"
 
 namespace packstone::relaxation {
 
@@ -17,17 +18,23 @@ class TensorHold {
   TensorHold(std::vector<std::size_t> members, const SymMat3& tensor)
       : members_(std::move(members)), tensor_(tensor) {}
 
+  /// Takes note of how turns from where the bodies are change the tensor.
+  void look(const Bodies& bodies);
+
   /// Takes out of the turns of a motion, or of a gradient, what would change the tensor to first
-  /// order: its part along the five gradients of the tensor.
+  /// order: its part along the five gradients of the tensor. The bodies are where the last look
+  /// was.
   void project(const Bodies& bodies, Motion& motion) const;
 
   /// Turns the axes back, by as little as does, until the tensor is met to rounding. False where
-  /// that does not come to an end: the step was too long.
+  /// that does not come to an end: the step since the last look was too long.
   [[nodiscard]] bool restore(Bodies& bodies) const;
 
  private:
   std::vector<std::size_t> members_;
   SymMat3 tensor_;
+  Mat6 turns_{};    // Sums of products of basis_turns(), for restore().
+  Mat6 motions_{};  // The same over squared arms, for project().
 };
 
 /// The holds of all groups whose tensor is to be kept; where a tensor leaves its axes no way to
