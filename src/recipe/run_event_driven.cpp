@@ -97,8 +97,7 @@ PackOutcome run_from_rsa(const Recipe& recipe, const InclusionMix& mix, const Ru
   const double wanted =
       start_factor(recipe, mix.bodies, recipe.event_driven.start_fraction, kStartFraction);
   const bool ordered = recipe.event_driven.start_fraction.has_value();
-  const auto [placed, factor] =
-      place_smaller(recipe, mix.bodies, wanted, ordered, recipe.seed, run);
+  auto [placed, factor] = place_smaller(recipe, mix.bodies, wanted, ordered, recipe.seed, run);
   PackOutcome outcome;
   if (placed.stop == RsaStop::target_reached) {
     outcome = finished(recipe, mix,

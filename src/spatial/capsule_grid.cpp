@@ -151,12 +151,13 @@ CapsuleChunk& CapsuleGrid::chunk_with_room(Level& level, std::int32_t grid_cell)
 }
 
 std::size_t CapsuleGrid::grid_cell_of(const Level& level, const Vec3& center) const noexcept {
-  std::array<int, 3> index{};
-  for (std::size_t a = 0; a < static_cast<std::size_t>(cell_.dimension); ++a) {
+  std::size_t number = 0;
+  for (std::size_t a = 3; a-- > 0;) {
     const int n = level.dims[a];
-    index[a] = std::clamp(static_cast<int>(center[a] * per_size_[a] * n), 0, n - 1);
+    const int index = std::clamp(static_cast<int>(center[a] * per_size_[a] * n), 0, n - 1);
+    number = number * static_cast<std::size_t>(n) + static_cast<std::size_t>(index);
   }
-  return static_cast<std::size_t>((index[2] * level.dims[1] + index[1]) * level.dims[0] + index[0]);
+  return number;
 }
 
 void CapsuleGrid::prefetch(const Vec3& center) const noexcept {
