@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "generate/option_checks.hpp"
 #include "generate/ordered_bodies.hpp"
 #include "generate/relaxation/attempt.hpp"
 #include "packstone/core/error.hpp"
@@ -20,9 +21,7 @@ using relaxation::Attempt;
 
 template <class Value>
 void check_range(const char* field, Value value, bool allowed, const char* range) {
-  if (allowed) return;
-  throw InvalidArgument(
-      fmt::format("RelaxationOptions::{} is {}; allowed is {}", field, value, range));
+  check_option("RelaxationOptions", field, value, allowed, range);
 }
 
 void check_options(const Cell& cell, int groups, const RelaxationOptions& options) {
@@ -59,26 +58,27 @@ void check_bodies(const Cell& cell, const std::vector<OrderedBody>& bodies,
   check_room(cell, bodies, options.min_gap);
 }
 
-std::vector<Vec3> random_centers(const Cell& cell, std::size_t count, std::uint64_t seed,
-                                 std::int64_t attempt) {
-  std::vector<Vec3> centers(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    RandomStream random(seed, StreamId::relaxation_centers, i, static_cast<std::uint64_t>(attempt));
-    for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
-      centers[i][a] = wrapped(random.uniform(0.0, cell.size[a]), cell.size[a]);
-    }
+Vec3 random_center(const Cell& cell, std::size_t item, std::uint64_t seed, std::int64_t attempt) {
+  RandomStream random(seed, StreamId::relaxation_centers, item,
+                      static_cast<std::uint64_t>(attempt));
+  Vec3 center;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(cell.dimension); ++a) {
+    center[a] = wrapped(random.uniform(0.0, cell.size[a]), cell.size[a]);
   }
-  return centers;
+  return center;
 }
 
 // What `start` leaves open is random.
 std::vector<Vec3> start_centers(const Cell& cell, std::size_t count,
                                 const RelaxationOptions& options, std::int64_t attempt,
                                 const RelaxationStart& start) {
-  std::vector<Vec3> centers = random_centers(cell, count, options.seed, attempt);
-  if (!start) return centers;
-  const std::vector<Vec3> given = start(attempt);
-  std::copy_n(given.begin(), std::min(count, given.size()), centers.begin());
+  std::vector<Vec3> centers;
+  if (start) centers = start(attempt);
+  const std::size_t given = std::min(count, centers.size());
+  centers.resize(count);
+  for (std::size_t i = given; i < count; ++i) {
+    centers[i] = random_center(cell, i, options.seed, attempt);
+  }
   return centers;
 }
 

@@ -1,20 +1,16 @@
 #include "packstone/generate/relaxed_growth.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
-#include "packstone/core/error.hpp"
+#include "generate/option_checks.hpp"
 #include "packstone/geometry/measures.hpp"
 
 namespace packstone {
 namespace {
 
 void check_range(const char* field, double value, bool allowed, const char* range) {
-  if (allowed) return;
-  throw InvalidArgument(
-      fmt::format("RelaxedGrowthOptions::{} is {}; allowed is {}", field, value, range));
+  check_option("RelaxedGrowthOptions", field, value, allowed, range);
 }
 
 void check_options(const RelaxedGrowthOptions& options) {

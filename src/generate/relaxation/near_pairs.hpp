@@ -43,9 +43,6 @@ class NearPairs {
   /// those anew that have gone too far. False where these are so many that find() is quicker.
   bool follow(const Bodies& bodies, int threads);
 
-  /// Bodies found anew since find(), each as often as it was.
-  [[nodiscard]] std::int64_t refreshed() const { return refreshed_; }
-
   /// How far any point of body i has moved at most since its pairs were found, step by step [L].
   [[nodiscard]] double path(std::size_t i) const { return path_[i]; }
 
@@ -69,8 +66,8 @@ class NearPairs {
   std::vector<std::vector<NearPair>> chunks_;
   std::vector<Pose> last_;  // At the last look.
   std::vector<double> path_;
-  std::vector<bool> is_far_;  // All false but while some are found anew.
-  std::int64_t refreshed_ = 0;
+  std::vector<bool> is_far_;    // All false but while some are found anew.
+  std::int64_t refreshed_ = 0;  // Bodies found anew since find(), each as often as it was.
 };
 
 }  // namespace packstone::relaxation

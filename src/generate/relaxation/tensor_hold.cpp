@@ -16,14 +16,17 @@ SymMat3 mean_dyad(const Bodies& bodies, const std::vector<std::size_t>& members)
   return (1.0 / static_cast<double>(members.size())) * sum;
 }
 
-// How turns change the mean.
-Mat6 slopes(const Bodies& bodies, const std::vector<std::size_t>& members) {
-  Mat6 products{};
+// How turns change the mean, and motions.
+TensorHold::Slopes slopes_of(const Bodies& bodies, const std::vector<std::size_t>& members) {
+  TensorHold::Slopes sums;
   const double weight = 2.0 / static_cast<double>(members.size());
   for (const std::size_t i : members) {
-    add_products(basis_turns(bodies.posed[i].pose.axis), weight, products);
+    const auto turns = basis_turns(bodies.posed[i].pose.axis);
+    const double arm = bodies.turning[i].arm;
+    add_products(turns, weight, sums.of_turns);
+    add_products(turns, 1.0 / (arm * arm), sums.of_motions);
   }
-  return made_definite(products);
+  return {made_definite(sums.of_turns), made_definite(sums.of_motions)};
 }
 
 // The axis of a body becomes `axis`, which is near; a second axis keeps across it.
@@ -56,15 +59,7 @@ std::vector<std::size_t> members_of(const Bodies& bodies, const Packing& packing
 
 }  // namespace
 
-void TensorHold::look(const Bodies& bodies) {
-  turns_ = slopes(bodies, members_);
-  Mat6 motions{};
-  for (const std::size_t i : members_) {
-    const double arm = bodies.turning[i].arm;
-    add_products(basis_turns(bodies.posed[i].pose.axis), 1.0 / (arm * arm), motions);
-  }
-  motions_ = made_definite(motions);
-}
+void TensorHold::look(const Bodies& bodies) { slopes_ = slopes_of(bodies, members_); }
 
 void TensorHold::project(const Bodies& bodies, Motion& motion) const {
   SymMat3 change{};
@@ -78,7 +73,7 @@ void TensorHold::project(const Bodies& bodies, Motion& motion) const {
                               0.5 * (u.x * t.z + u.z * t.x),
                               0.5 * (u.x * t.y + u.y * t.x)};
   }
-  const SymMat3 map = from_components(solve(motions_, components(change)));
+  const SymMat3 map = from_components(solve(slopes_.of_motions, components(change)));
   for (const std::size_t i : members_) {
     const Vec3& u = bodies.posed[i].pose.axis;
     add_at(motion, bodies.turn_at(i), (-1.0 / bodies.turning[i].arm) * cross(u, map * u));
@@ -90,9 +85,9 @@ bool TensorHold::restore(Bodies& bodies) const {
   constexpr int kMostRounds = 16, kPatience = 4;
   constexpr double kMet = 1e-14, kGoodEnough = 1e-12;
   double error = 0.0;
-  Mat6 at_hand = turns_;
+  Mat6 at_hand = slopes_.of_turns;
   for (int round = 0; round < kMostRounds; ++round) {
-    if (round >= kPatience) at_hand = slopes(bodies, members_);
+    if (round >= kPatience) at_hand = slopes_of(bodies, members_).of_turns;
     const Vec6 missing = components(tensor_ - mean_dyad(bodies, members_));
     error = 0.0;
     for (const double m : missing) error = std::max(error, std::abs(m));

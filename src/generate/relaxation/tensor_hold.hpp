@@ -15,6 +15,12 @@ namespace packstone::relaxation {
 /// The bodies of one group, whose mean of u u^T over their axes is held.
 class TensorHold {
  public:
+  /// Sums of products of basis_turns().
+  struct Slopes {
+    Mat6 of_turns{};    ///< For restore().
+    Mat6 of_motions{};  ///< Over squared arms, for project().
+  };
+
   TensorHold(std::vector<std::size_t> members, const SymMat3& tensor)
       : members_(std::move(members)), tensor_(tensor) {}
 
@@ -33,8 +39,7 @@ class TensorHold {
  private:
   std::vector<std::size_t> members_;
   SymMat3 tensor_;
-  Mat6 turns_{};    // Sums of products of basis_turns(), for restore().
-  Mat6 motions_{};  // The same over squared arms, for project().
+  Slopes slopes_;  // At the last look.
 };
 
 /// The holds of all groups whose tensor is to be kept; where a tensor leaves its axes no way to
