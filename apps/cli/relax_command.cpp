@@ -36,8 +36,10 @@ struct RelaxArguments {
   bool json = false;
 };
 
+// Bodies of a packing keep their places as long as pushing helps.
 RelaxationOptions options_of(const RelaxArguments& arguments, const Packing& packing) {
   RelaxationOptions options;
+  options.patience *= 5;
   options.min_gap = arguments.min_gap;
   options.turn.assign(packing.groups.size(), arguments.rotate);
   options.seed = arguments.seed;

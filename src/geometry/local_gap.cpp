@@ -1,5 +1,6 @@
 #include "geometry/local_gap.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -33,20 +34,43 @@ Vec3 direction_between(const Vec3& between, double distance, double radii, const
   return dot(across, hint) < 0.0 ? -across : across;
 }
 
+// The gap of bodies about their axes, which come nearest at `axes`.
+void set_gap_about(const NearestPoints& axes, const PosedBody& a, const PosedBody& b,
+                   const Vec3& hint, LocalGap& found) {
+  found.normal =
+      direction_between(axes.between, norm(axes.between), a.lateral + b.lateral, a, b, hint);
+  found.point_a = axes.on_a + a.lateral * found.normal;
+  found.point_b = axes.on_b - b.lateral * found.normal;
+}
+
 bool gap_of_capsules(const PosedBody& a, const PosedBody& b, const Vec3& r, double limit,
                      Vec3& hint, LocalGap& found) {
   NearestPoints axes{{}, {}, r};
   if (a.form != Form::ball || b.form != Form::ball) {
     axes = nearest_points(segment_of(a), segment_of(b), r);
   }
-  const double radii = a.lateral + b.lateral;
-  const double distance = norm(axes.between);
-  found.value = distance - radii;
+  found.value = norm(axes.between) - (a.lateral + b.lateral);
   if (found.value >= limit) return false;
-  found.normal = direction_between(axes.between, distance, radii, a, b, hint);
-  found.point_a = axes.on_a + a.lateral * found.normal;
-  found.point_b = axes.on_b - b.lateral * found.normal;
+  set_gap_about(axes, a, b, hint, found);
   hint = found.normal;
+  return true;
+}
+
+// Rods whose axes come nearest within both: nothing next to the direction across the two has a
+// larger gap. Whether that is so, and nothing better is known or to be looked for: an end that is
+// nearer than they are deep may be.
+bool sides_cross(const PosedBody& a, const PosedBody& b, const Vec3& r, const Vec3& hint,
+                 LocalGap& found) {
+  constexpr double kInside = 1e-12;
+  if (is_ellipsoid(a.form) || is_ellipsoid(b.form)) return false;
+  const NearestPoints axes = nearest_points(segment_of(a), segment_of(b), r);
+  const double beyond = std::min(a.axial - std::abs(dot(axes.on_a, a.pose.axis)),
+                                 b.axial - std::abs(dot(axes.on_b, b.pose.axis)));
+  if (!(beyond > kInside * (a.axial + b.axial))) return false;
+  found.value = norm(axes.between) - (a.lateral + b.lateral);
+  if (-found.value > beyond) return false;
+  if (hint != Vec3{} && gap_along(a, b, r, hint) > found.value) return false;
+  set_gap_about(axes, a, b, hint, found);
   return true;
 }
 
@@ -112,6 +136,10 @@ bool local_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, double lim
   constexpr int kMostClimbs = 4;
   if (is_ball_or_capsule(a) && is_ball_or_capsule(b)) {
     return gap_of_capsules(a, b, r, limit, hint, found);
+  }
+  if (sides_cross(a, b, r, hint, found)) {
+    hint = found.normal;
+    return found.value < limit;
   }
   if (hint == Vec3{}) hint = FirstLook(a, b, r).direction();
   found.value = gap_along(a, b, r, hint);

@@ -35,12 +35,14 @@ struct RelaxationOptions {
   /// Per group. Empty: hold_tensor for all.
   std::vector<RelaxationTurn> turn = {};
 
-  /// Steps that lower the energy by less than 3 % before some of those that overlap most are moved
-  /// elsewhere [-]. >= 1.
-  std::int64_t patience = 60;
+  /// Steps that lower the energy by less than a fifth before some of those that overlap most are
+  /// moved elsewhere [-]. >= 1. A third more for each round of such moves without a new least
+  /// energy; where there are no more rounds, a descent ends when three times as many steps lower
+  /// the energy by less than 3 %.
+  std::int64_t patience = 20;
 
   /// Share of the bodies that are then moved, at most [-]. In [0, 1]; 0: none, the attempt ends.
-  double relocated_share = 0.02;
+  double relocated_share = 0.04;
 
   /// Rounds of such moves without a new least energy after which an attempt ends [-]. >= 0.
   std::int64_t max_relocations = 30;

@@ -55,8 +55,8 @@ Energy Attempt::evaluate(Motion& gradient) {
 void Attempt::start_anew() {
   memory_.clear();
   energy_ = evaluate(gradient_);
-  reference_ = energy_.value;
-  idle_ = 0;
+  slow_.begin(energy_.value);
+  stuck_.begin(energy_.value);
   keep_best();
 }
 
@@ -102,7 +102,8 @@ Attempt::Outcome Attempt::step() {
   if (memory_.empty()) return Outcome::stuck;
   memory_.clear();
   energy_ = evaluate(gradient_);
-  idle_ += 10;
+  slow_.idle += 10;
+  stuck_.idle += 10;
   return Outcome::stepped;
 }
 
@@ -131,11 +132,18 @@ void Attempt::report(RunContext& run) {
   run.report({"relaxing", done, fraction(shapes_), 0, 0});
 }
 
-// Where the energy does not fall any more: moves some bodies elsewhere. False: that has not helped.
+// Early on the next round of relocation brings more than the rest of a descent; where rounds have
+// not helped, descents are given longer.
+bool Attempt::is_slow() const { return slow_.idle > options_.patience * (1 + rounds_ / 3); }
+
+bool Attempt::is_stuck() const { return stuck_.idle > 3 * options_.patience; }
+
+// Moves some bodies elsewhere. False: there is none to be moved, or that has not helped.
 bool Attempt::move_on() {
-  if (best_energy_.value < 0.97 * least_at_relocation_) rounds_ = 0;
+  if (best_energy_.value < kSome * least_at_relocation_) rounds_ = 0;
+  if (rounds_ >= options_.max_relocations || options_.relocated_share == 0.0) return false;
+  ++rounds_;
   least_at_relocation_ = std::min(least_at_relocation_, best_energy_.value);
-  if (rounds_++ >= options_.max_relocations) return false;
   evaluate(gradient_);
   const std::int64_t moved =
       relocate(bodies_, shapes_.cell, overlap_.pushes(), options_.relocated_share, random_);
@@ -146,7 +154,6 @@ bool Attempt::move_on() {
 }
 
 RelaxationStop Attempt::run(RunContext& run) {
-  constexpr double kProgress = 0.97;
   start_anew();
   note();
   start_left_ = energy_.most_left;
@@ -159,14 +166,11 @@ RelaxationStop Attempt::run(RunContext& run) {
     ++iterations_;
     keep_best();
     note();
-    if (energy_.value < kProgress * reference_) {
-      reference_ = energy_.value;
-      idle_ = 0;
-    } else {
-      ++idle_;
-    }
-    const bool idle = idle_ > options_.patience || outcome == Outcome::stuck;
-    if (idle && !at_rest() && !move_on()) return RelaxationStop::stalled;
+    slow_.look(energy_.value);
+    stuck_.look(energy_.value);
+    const bool stuck = is_stuck() || outcome == Outcome::stuck;
+    if (at_rest() || !(stuck || is_slow())) continue;
+    if (!move_on() && stuck) return RelaxationStop::stalled;
   }
   return RelaxationStop::target_reached;
 }

@@ -32,6 +32,19 @@ class Attempt {
 
  private:
   enum class Outcome { stepped, stuck };
+  static constexpr double kMuch = 0.8, kSome = 0.97;  // What progress leaves of an energy.
+  // Counts the steps since the energy was last brought down to `part` of what it was then.
+  struct Watch {
+    double part;
+    double reference = 0.0;
+    std::int64_t idle = 0;
+
+    void begin(double energy) { *this = {part, energy, 0}; }
+    void look(double energy) {
+      ++idle;
+      if (energy < part * reference) begin(energy);
+    }
+  };
 
   Energy evaluate(Motion& gradient);
   void start_anew();
@@ -43,6 +56,8 @@ class Attempt {
   void note();
   void report(RunContext& run);
   bool move_on();
+  [[nodiscard]] bool is_slow() const;
+  [[nodiscard]] bool is_stuck() const;
   [[nodiscard]] bool at_rest() const { return !(energy_.most_left > 1.0); }
 
   std::vector<std::int32_t> order_;  // Body k is inclusion order_[k] of the packing given.
@@ -57,11 +72,11 @@ class Attempt {
 
   Motion gradient_;
   Energy energy_;
-  double reference_ = 0.0;  // Energy that progress is measured from.
-  std::int64_t idle_ = 0;   // Steps without progress.
+  Watch slow_{kMuch};
+  Watch stuck_{kSome};
   std::int64_t iterations_ = 0;
   std::int64_t relocated_ = 0;
-  std::int64_t rounds_ = 0;           // Of relocation, without a new least energy.
+  std::int64_t rounds_ = 0;           // Of relocation, without progress of the least energy.
   double least_at_relocation_ = 0.0;  // Least energy when bodies were last relocated.
 
   double start_left_ = 1.0;  // Energy::most_left at the start.

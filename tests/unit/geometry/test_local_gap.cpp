@@ -60,6 +60,25 @@ TEST_CASE("points of a local gap lie on both bodies, as far apart as its value")
   });
 }
 
+TEST_CASE("the local gap of rods whose middles cross is the gap, whatever the hint") {
+  zoo::Zoo zoo(45);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 u = zoo.direction(3), v = zoo.direction(3), across = zoo.direction(3);
+    const double depth = zoo.log_uniform(1e-6, 0.2);
+    const Vec3 n = cross(u, v);
+    if (norm(n) < 0.3) continue;
+    const PosedBody a = posed_body(Cylinder{0.1, 1.0, u}), b = posed_body(Cylinder{0.1, 1.0, v});
+    const Vec3 r =
+        (0.2 - 0.2 * depth) / norm(n) * n + 0.5 * dot(across, u) * u + 0.5 * dot(across, v) * v;
+    Vec3 hint = k % 2 == 0 ? Vec3{} : zoo.direction(3);
+    LocalGap found;
+    REQUIRE(local_gap(a, b, r, kAnyGap, hint, found));
+    const Gap truth = gap(Cylinder{0.1, 1.0, u}, Cylinder{0.1, 1.0, v}, r);
+    REQUIRE(std::abs(found.value - truth.value) < 1e-12);
+    REQUIRE(hint == found.normal);
+  }
+}
+
 TEST_CASE("a local gap that is not below the limit is told so, from whatever hint") {
   zoo::for_each_pair(43, 40, [&](const zoo::Pair& pair, zoo::PairClass, int k) {
     const zoo::PosedPair p = zoo::posed_pair(pair);
