@@ -26,7 +26,7 @@ double easy_crowding(const std::vector<OrderedBody>& bodies) {
   // 627-659), at random over as they are.
   const double at_random = x * x + 4.0 * x + 8.0 / 3.0;
   const double as_are = x * x * rods->crossing + 4.0 * x + 8.0 / 3.0;
-  return (kOfOthers + part * (of_rods - kOfOthers)) * std::pow(at_random / as_are, 1.0);
+  return (kOfOthers + part * (of_rods - kOfOthers)) * (at_random / as_are);
 }
 
 double fraction_of(const Cell& cell, const std::vector<OrderedBody>& bodies) {

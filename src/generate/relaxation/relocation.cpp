@@ -12,6 +12,16 @@ namespace {
 
 constexpr int kPlaces = 1000;
 
+// What is quicker to look at and overlaps nearly as much: for a long cylinder, with rounded ends
+// and the same volume.
+PosedBody stand_in(PosedBody body) {
+  constexpr double kLong = 4.0;
+  if (body.form != Form::cylinder || body.axial < kLong * body.lateral) return body;
+  body.form = Form::spherocylinder;
+  body.axial -= 2.0 / 3.0 * body.lateral;
+  return body;
+}
+
 // Finds how much a body would overlap at a place.
 class Places {
  public:
@@ -64,11 +74,11 @@ class Places {
   // Sum of squared depths, as far as it is below `most`.
   double overlap_of(std::size_t i, double most) {
     double sum = 0.0;
-    const PosedBody& a = bodies_.posed[i];
+    const PosedBody a = stand_in(bodies_.posed[i]);
     grid_.query(capsule_of(i), scratch_, [&](std::int32_t other, const CapsuleGrid::Image& image) {
       const auto j = static_cast<std::size_t>(other);
       const double wanted = bodies_.min_gap + std::min(bodies_.shell[i], bodies_.shell[j]);
-      const PosedBody& b = bodies_.posed[j];
+      const PosedBody b = stand_in(bodies_.posed[j]);
       Vec3 hint;
       LocalGap gap;
       const Vec3 r = b.pose.center + image_shift(cell_, image) - a.pose.center;
