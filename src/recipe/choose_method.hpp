@@ -24,8 +24,8 @@ struct MethodChoice {
 
 /// The method ordered, or the one whose goal is not the target, or the one that suits the bodies
 /// drawn: random sequential adsorption where it surely places all of them; a relaxation up to a
-/// crowding of 3.2, and above that where orientations are ordered that event-driven dynamics would
-/// have to lock; event-driven dynamics otherwise.
+/// crowding of 3.2, and above that for rods of aspect 5 or more, and where orientations are ordered
+/// that event-driven dynamics would have to lock; event-driven dynamics otherwise.
 ///
 /// Throws InvalidGroup when bodies in motion are ordered and the count of a group is open.
 [[nodiscard]] MethodChoice choose_method(const Recipe& recipe, const InclusionMix& mix);

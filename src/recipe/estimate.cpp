@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "packstone/core/number_text.hpp"
-#include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "recipe/draw_mix.hpp"
+#include "recipe/rod_order.hpp"
 
 namespace packstone::recipe {
 namespace {
@@ -18,13 +18,13 @@ using std::numbers::pi;
 
 constexpr double kLongRod = 20.0;  // Aspect from which the law holds.
 
-// Aspect, and the fraction at which rods of random directions jam: with contacts at their ends, up
-// to 5 without long-range order (event-driven growth in a minute), from 10 on relaxed.
+// Aspect, and the fraction that some hundred rods of random directions reach in a minute: up to 3
+// by growth, without long-range order, from 5 on by relaxation.
 constexpr std::array<std::pair<double, double>, 5> kShortRods{
-    {{1.0, 0.72}, {3.0, 0.64}, {5.0, 0.61}, {10.0, 0.456}, {kLongRod, 0.28}}};
+    {{1.0, 0.72}, {3.0, 0.64}, {5.0, 0.61}, {10.0, 0.51}, {kLongRod, 0.35}}};
 
 double ceiling_at_random(double aspect) {
-  if (aspect >= kLongRod) return 5.6 / aspect;
+  if (aspect >= kLongRod) return 7.0 / aspect;
   const auto* const above = std::find_if(kShortRods.begin() + 1, kShortRods.end(),
                                          [&](const auto& point) { return aspect <= point.first; });
   const auto& [x0, f0] = *(above - 1);
@@ -32,38 +32,17 @@ double ceiling_at_random(double aspect) {
   return f0 + (f1 - f0) * std::max(0.0, aspect - x0) / (x1 - x0);
 }
 
-// Mean |sin| of the angle between two axes, over all pairs of some of the bodies.
-double mean_crossing(const std::vector<OrderedBody>& bodies) {
-  constexpr std::size_t kSome = 200;
-  const std::size_t count = std::min(kSome, bodies.size());
-  std::vector<Vec3> axes;
-  for (std::size_t k = 0; k < count; ++k) {
-    axes.push_back(*symmetry_axis(bodies[k * bodies.size() / count].body));
-  }
-  double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) sum += norm(cross(axes[i], axes[j]));
-  }
-  return count < 2 ? 0.25 * pi : sum / (0.5 * static_cast<double>(count * (count - 1)));
-}
-
-// Radius and half length.
-std::pair<double, double> rod_of(const Body& body) {
-  if (const auto* rod = std::get_if<Cylinder>(&body)) return {rod->radius, rod->half_length};
-  const auto& rod = std::get<Spherocylinder>(body);
-  return {rod.radius, rod.half_length};
-}
-
 // Of rods, where a single aspect says how they pack.
 std::optional<double> ceiling_of_rods(const std::vector<OrderedBody>& bodies) {
   constexpr double kWidest = 1.5;  // Over the thinnest.
   const auto by_radius = [](const OrderedBody& a, const OrderedBody& b) {
-    return rod_of(a.body).first < rod_of(b.body).first;
+    return rod_sizes(a.body).first < rod_sizes(b.body).first;
   };
   const auto [thin, thick] = std::minmax_element(bodies.begin(), bodies.end(), by_radius);
   const RodOrder rods = *rod_order(bodies);
   const bool flat = kind(bodies.front().body) == ShapeKind::cylinder && rods.aspect < 1.0;
-  if (rod_of(thick->body).first > kWidest * rod_of(thin->body).first || flat) return std::nullopt;
+  if (rod_sizes(thick->body).first > kWidest * rod_sizes(thin->body).first || flat)
+    return std::nullopt;
   // Contacts of ends know no directions: of short rods they are most.
   const double part = std::min(1.0, rods.aspect / kLongRod);
   return std::min(ceiling_at_random(rods.aspect) / std::pow(rods.crossing, part),
@@ -170,18 +149,6 @@ std::optional<double> random_ceiling(const std::vector<OrderedBody>& bodies) {
     default:
       return 0.74;
   }
-}
-
-std::optional<RodOrder> rod_order(const std::vector<OrderedBody>& bodies) {
-  double radii = 0.0, half_lengths = 0.0;
-  for (const OrderedBody& ordered : bodies) {
-    if (!is_rod(kind(ordered.body))) return std::nullopt;
-    const auto [radius, half_length] = rod_of(ordered.body);
-    radii += radius;
-    half_lengths += half_length;
-  }
-  if (bodies.empty()) return std::nullopt;
-  return RodOrder{half_lengths / radii, mean_crossing(bodies) / (0.25 * pi)};
 }
 
 PackPlan plan_of(const Recipe& recipe, const InclusionMix& mix, const MethodChoice& choice) {

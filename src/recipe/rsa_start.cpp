@@ -5,7 +5,7 @@
 
 #include "packstone/geometry/measures.hpp"
 #include "recipe/choose_method.hpp"
-#include "recipe/estimate.hpp"
+#include "recipe/rod_order.hpp"
 #include "recipe/run_rsa.hpp"
 
 namespace packstone::recipe {

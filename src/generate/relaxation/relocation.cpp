@@ -18,7 +18,7 @@ PosedBody stand_in(PosedBody body) {
   constexpr double kLong = 4.0;
   if (body.form != Form::cylinder || body.axial < kLong * body.lateral) return body;
   body.form = Form::spherocylinder;
-  body.axial -= 2.0 / 3.0 * body.lateral;
+  body.axial -= body.lateral;
   return body;
 }
 
