@@ -2,7 +2,7 @@
 //
 //   bench_relaxation tables [runs] [count_each, 0: all] [limit_s]
 //   bench_relaxation blanks [runs] [limit_s]
-//   bench_relaxation fibers [runs] [limit_s] [spherocylinder|cylinder] [name]
+//   bench_relaxation fibers [runs] [limit_s] [spherocylinder|cylinder] [name] [fraction]
 //   bench_relaxation scaling [spheres|mixture|fibers] [largest count] [threads]
 //
 // Times are processor times, from the bodies drawn to the certificate.
@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/axis_segments.hpp"
+#include "geometry/posed_body.hpp"
 #include "growth_scenes.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/recipe/pack.hpp"
@@ -173,29 +175,67 @@ double tensor_error(const Packing& packing, const SymMat3& wanted) {
                    std::abs(d.xy)});
 }
 
-void run_fibers(int runs, const Mode& mode, ShapeKind shape, const std::string& only) {
+// How far rods that are nearly in touch line up: the mean of P_2(cos gamma) over all pairs whose
+// axes pass within 1.1 diameters. Random directions show -1/8 where all meet in their middles, each
+// weighted by |sin gamma|, parallel ones 1.
+double order_of_near_pairs(const Packing& packing) {
+  std::vector<PosedBody> rods;
+  for (const Inclusion& inclusion : packing.inclusions) {
+    rods.push_back(posed_body(inclusion.body, inclusion.center));
+  }
+  double sum = 0.0;
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < rods.size(); ++i) {
+    const Segment a{rods[i].axial, rods[i].pose.axis};
+    for (std::size_t j = 0; j < i; ++j) {
+      const Segment b{rods[j].axial, rods[j].pose.axis};
+      Vec3 r = rods[j].pose.center - rods[i].pose.center;
+      for (std::size_t k = 0; k < 3; ++k) {
+        r[k] -= packing.cell.size[k] * std::round(r[k] / packing.cell.size[k]);
+      }
+      const double near = 1.1 * (rods[i].lateral + rods[j].lateral);
+      const double reach = near + a.half_length + b.half_length;
+      if (norm_sq(r) > reach * reach || norm(nearest_points(a, b, r).between) > near) continue;
+      const double cosine = dot(a.axis, b.axis);
+      sum += 1.5 * cosine * cosine - 0.5;
+      ++count;
+    }
+  }
+  return sum / static_cast<double>(std::max<std::int64_t>(1, count));
+}
+
+// Which of fiber_cases(), at their own fraction or at another.
+struct FiberChoice {
+  ShapeKind shape = ShapeKind::spherocylinder;
+  std::string only;  // Empty: all.
+  double fraction = 0.0;
+};
+
+void run_fibers(int runs, const Mode& mode, const FiberChoice& choice) {
   fmt::print(
       "# {} seeds, {}s, at most {} s\n# fibers             N aspect fraction  median-s     "
-      "max-s passed relocated tensor-error hash\n",
-      runs, name(shape), mode.limit_s);
-  for (const FiberCase& of : fiber_cases()) {
-    if (!only.empty() && only != of.name) continue;
+      "max-s passed relocated tensor-error near-P2 hash\n",
+      runs, name(choice.shape), mode.limit_s);
+  for (FiberCase of : fiber_cases()) {
+    if (!choice.only.empty() && choice.only != of.name) continue;
+    if (choice.fraction > 0.0) of.fraction = choice.fraction;
     CellRuns all;
     std::int64_t relocated = 0;
-    double error = 0.0;
+    double error = 0.0, near_order = 0.0;
     std::size_t count = 0;
     for (int seed = 1; seed <= runs; ++seed) {
       const auto key = static_cast<std::uint64_t>(seed);
-      const Outcome outcome = run_recipe(recipe_of(of, shape, key), mode);
+      const Outcome outcome = run_recipe(recipe_of(of, choice.shape, key), mode);
       count = outcome.packing.inclusions.size();
       add(all, outcome);
       relocated = std::max(relocated, outcome.report.relocated);
       error = std::max(error, tensor_error(outcome.packing, of.tensor));
+      near_order += order_of_near_pairs(outcome.packing) / runs;
     }
-    fmt::print("{:<14} {:6} {:6} {:8.3f} {:9.3f} {:9.3f} {:4}/{} {:9} {:12.1e} {:016x}\n", of.name,
-               count, of.aspect, of.fraction, median(all.seconds),
+    fmt::print("{:<14} {:6} {:6} {:8.3f} {:9.3f} {:9.3f} {:4}/{} {:9} {:12.1e} {:7.3f} {:016x}\n",
+               of.name, count, of.aspect, of.fraction, median(all.seconds),
                *std::max_element(all.seconds.begin(), all.seconds.end()), all.passed, runs,
-               relocated, error, all.hash);
+               relocated, error, near_order, all.hash);
     std::fflush(stdout);
   }
 }
@@ -241,7 +281,9 @@ int main(int argc, char** argv) {
     mode.limit_s = std::stod(word(3, "30"));
     const bool flat = word(4, "spherocylinder") == "cylinder";
     run_fibers(std::stoi(word(2, "3")), mode,
-               flat ? ShapeKind::cylinder : ShapeKind::spherocylinder, word(5, ""));
+               {.shape = flat ? ShapeKind::cylinder : ShapeKind::spherocylinder,
+                .only = word(5, ""),
+                .fraction = std::stod(word(6, "0"))});
   } else if (what == "scaling") {
     run_scaling(word(2, "spheres"), std::stoi(word(3, "100000")), std::stoi(word(4, "1")));
   } else {

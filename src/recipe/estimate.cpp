@@ -16,20 +16,19 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kLongRod = 20.0;  // Aspect from which the law holds.
-
-// Aspect, and the fraction that some hundred rods of random directions reach in a minute: up to 3
-// by growth, without long-range order, from 5 on by relaxation.
-constexpr std::array<std::pair<double, double>, 5> kShortRods{
-    {{1.0, 0.72}, {3.0, 0.64}, {5.0, 0.61}, {10.0, 0.51}, {kLongRod, 0.35}}};
+// Aspect x, and the fraction times x up to which rods of random directions come to rest before
+// neighbors line up: up to 3 by growth, from 5 on by relaxation. Between these, linear.
+constexpr std::array<std::pair<double, double>, 6> kRods{
+    {{1.0, 0.72}, {3.0, 1.92}, {5.0, 3.0}, {10.0, 4.6}, {20.0, 6.2}, {50.0, 7.0}}};
 
 double ceiling_at_random(double aspect) {
-  if (aspect >= kLongRod) return 7.0 / aspect;
-  const auto* const above = std::find_if(kShortRods.begin() + 1, kShortRods.end(),
-                                         [&](const auto& point) { return aspect <= point.first; });
+  if (aspect <= kRods.front().first) return kRods.front().second;
+  const auto* const above =
+      std::find_if(kRods.begin(), kRods.end(), [&](const auto& p) { return aspect <= p.first; });
+  if (above == kRods.end()) return kRods.back().second / aspect;
   const auto& [x0, f0] = *(above - 1);
   const auto& [x1, f1] = *above;
-  return f0 + (f1 - f0) * std::max(0.0, aspect - x0) / (x1 - x0);
+  return (f0 + (f1 - f0) * (aspect - x0) / (x1 - x0)) / aspect;
 }
 
 // Of rods, where a single aspect says how they pack.
@@ -44,7 +43,8 @@ std::optional<double> ceiling_of_rods(const std::vector<OrderedBody>& bodies) {
   if (rod_sizes(thick->body).first > kWidest * rod_sizes(thin->body).first || flat)
     return std::nullopt;
   // Contacts of ends know no directions: of short rods they are most.
-  const double part = std::min(1.0, rods.aspect / kLongRod);
+  constexpr double kLong = 20.0;
+  const double part = std::min(1.0, rods.aspect / kLong);
   return std::min(ceiling_at_random(rods.aspect) / std::pow(rods.crossing, part),
                   pi / std::sqrt(12.0));
 }
