@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kPlaces = 1000;
 
-// What is quicker to look at and overlaps nearly as much: for a long cylinder, with rounded ends
-// and the same volume.
+// What is quicker to look at and overlaps nearly as much: for a long cylinder the spherocylinder in
+// it that is as long.
 PosedBody stand_in(PosedBody body) {
   constexpr double kLong = 4.0;
   if (body.form != Form::cylinder || body.axial < kLong * body.lateral) return body;
