@@ -23,8 +23,8 @@ constexpr std::array<std::pair<double, double>, 6> kRods{
 
 double ceiling_at_random(double aspect) {
   if (aspect <= kRods.front().first) return kRods.front().second;
-  const auto* const above =
-      std::find_if(kRods.begin(), kRods.end(), [&](const auto& p) { return aspect <= p.first; });
+  const auto* const above = std::find_if(kRods.begin() + 1, kRods.end(),
+                                         [&](const auto& p) { return aspect <= p.first; });
   if (above == kRods.end()) return kRods.back().second / aspect;
   const auto& [x0, f0] = *(above - 1);
   const auto& [x1, f1] = *above;
