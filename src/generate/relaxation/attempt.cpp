@@ -57,22 +57,20 @@ void Attempt::start_anew() {
   energy_ = evaluate(gradient_);
   slow_.begin(energy_.value);
   stuck_.begin(energy_.value);
-  keep_best();
 }
 
-Motion Attempt::descent_direction() {
-  Motion direction = memory_.direction(gradient_);
-  for (const TensorHold& hold : holds_) hold.project(bodies_, direction);
-  return direction;
+void Attempt::find_direction() {
+  memory_.find_direction(gradient_, direction_);
+  for (const TensorHold& hold : holds_) hold.project(bodies_, direction_);
 }
 
-bool Attempt::try_step(const std::vector<PosedBody>& from, const Motion& direction, double length,
-                       Motion& gradient, Energy& energy) {
-  move(bodies_, from, direction, length);
+// From `from_`, along the direction.
+bool Attempt::try_step(double length, Energy& energy) {
+  move(bodies_, from_, direction_, length);
   for (const TensorHold& hold : holds_) {
     if (!hold.restore(bodies_)) return false;
   }
-  energy = evaluate(gradient);
+  energy = evaluate(next_gradient_);
   return true;
 }
 
@@ -81,24 +79,20 @@ bool Attempt::try_step(const std::vector<PosedBody>& from, const Motion& directi
 Attempt::Outcome Attempt::step() {
   constexpr double kDecrease = 1e-4;
   constexpr int kMostHalvings = 12;
-  const Motion direction = descent_direction();
-  const double slope = inner_product(gradient_, direction, threads_);
-  double length = 1.0 / std::max(1.0, relative_step(bodies_, direction));
-  const std::vector<PosedBody> from = bodies_.posed;
-  Motion gradient;
+  find_direction();
+  const double slope = inner_product(gradient_, direction_, threads_);
+  double length = 1.0 / std::max(1.0, relative_step(bodies_, direction_));
+  from_ = bodies_.posed;
   Energy energy;
   for (int halving = 0; slope < 0.0 && halving < kMostHalvings; ++halving, length *= 0.5) {
-    if (!try_step(from, direction, length, gradient, energy)) continue;
+    if (!try_step(length, energy)) continue;
     if (!(energy.value <= energy_.value + kDecrease * length * slope)) continue;
-    Motion moved(direction.size(), 0.0), change = gradient;
-    add_multiple(length, direction, moved, threads_);
-    add_multiple(-1.0, gradient_, change, threads_);
-    memory_.add(std::move(moved), std::move(change));
-    gradient_ = std::move(gradient);
+    memory_.add(length, direction_, gradient_, next_gradient_);
+    std::swap(gradient_, next_gradient_);
     energy_ = energy;
     return Outcome::stepped;
   }
-  bodies_.posed = from;
+  bodies_.posed = from_;
   if (memory_.empty()) return Outcome::stuck;
   memory_.clear();
   energy_ = evaluate(gradient_);
@@ -140,9 +134,10 @@ bool Attempt::is_stuck() const { return stuck_.idle > 3 * options_.patience; }
 
 // Moves some bodies elsewhere. False: there is none to be moved, or that has not helped.
 bool Attempt::move_on() {
-  if (best_energy_.value < kSome * least_at_relocation_) rounds_ = 0;
+  if (std::min(best_energy_.value, energy_.value) < kSome * least_at_relocation_) rounds_ = 0;
   if (rounds_ >= options_.max_relocations || options_.relocated_share == 0.0) return false;
   ++rounds_;
+  keep_best();
   least_at_relocation_ = std::min(least_at_relocation_, best_energy_.value);
   evaluate(gradient_);
   const std::int64_t moved =
@@ -156,6 +151,12 @@ bool Attempt::move_on() {
 RelaxationStop Attempt::run(RunContext& run) {
   start_anew();
   note();
+  const RelaxationStop stop = descend(run);
+  keep_best();
+  return stop;
+}
+
+RelaxationStop Attempt::descend(RunContext& run) {
   start_left_ = energy_.most_left;
   while (!at_rest()) {
     report(run);
@@ -164,7 +165,6 @@ RelaxationStop Attempt::run(RunContext& run) {
     if (request == StopRequest::out_of_time) return RelaxationStop::out_of_time;
     const Outcome outcome = step();
     ++iterations_;
-    keep_best();
     note();
     slow_.look(energy_.value);
     stuck_.look(energy_.value);

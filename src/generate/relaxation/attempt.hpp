@@ -49,9 +49,9 @@ class Attempt {
   Energy evaluate(Motion& gradient);
   void start_anew();
   Outcome step();
-  [[nodiscard]] Motion descent_direction();
-  bool try_step(const std::vector<PosedBody>& from, const Motion& direction, double length,
-                Motion& gradient, Energy& energy);
+  void find_direction();
+  bool try_step(double length, Energy& energy);
+  RelaxationStop descend(RunContext& run);
   void keep_best();
   void note();
   void report(RunContext& run);
@@ -69,6 +69,11 @@ class Attempt {
   OverlapEnergy overlap_;
   CurvatureMemory memory_;
   RandomStream random_;
+
+  // Kept from step to step for their memory: fresh pages for all of them would take a sixth of the
+  // time of a million bodies.
+  std::vector<PosedBody> from_;
+  Motion direction_, next_gradient_;
 
   Motion gradient_;
   Energy energy_;

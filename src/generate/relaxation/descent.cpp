@@ -51,17 +51,50 @@ void add_multiple(double factor, const Motion& x, Motion& y, int threads) {
   });
 }
 
-void CurvatureMemory::add(Motion step, Motion change) {
-  constexpr double kLeastCurvature = 1e-8;
-  const double curvature = inner_product(step, change, threads_);
-  if (!(curvature > kLeastCurvature * inner_product(step, step, threads_))) return;
-  if (pairs_.size() == kMostPairs) pairs_.pop_front();
-  pairs_.push_back({std::move(step), std::move(change), 1.0 / curvature});
+void CurvatureMemory::clear() {
+  for (Pair& pair : pairs_) unused_.push_back(std::move(pair));
+  pairs_.clear();
 }
 
-Motion CurvatureMemory::direction(const Motion& gradient) const {
-  Motion d(gradient.size(), 0.0);
-  add_multiple(-1.0, gradient, d, threads_);
+CurvatureMemory::Pair CurvatureMemory::unused_pair() {
+  if (pairs_.size() == kMostPairs) {
+    unused_.push_back(std::move(pairs_.front()));
+    pairs_.pop_front();
+  }
+  if (unused_.empty()) return {};
+  Pair pair = std::move(unused_.back());
+  unused_.pop_back();
+  return pair;
+}
+
+void CurvatureMemory::add(double length, const Motion& direction, const Motion& before,
+                          const Motion& after) {
+  constexpr double kLeastCurvature = 1e-8;
+  Pair pair = unused_pair();
+  pair.step.resize(direction.size());
+  pair.change.resize(direction.size());
+  for_chunks(direction.size(), threads_, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      pair.step[k] = length * direction[k];
+      pair.change[k] = after[k] - before[k];
+    }
+  });
+  const double curvature = inner_product(pair.step, pair.change, threads_);
+  const double length_sq = inner_product(pair.step, pair.step, threads_);
+  pair.inverse_curvature = 1.0 / curvature;
+  if (curvature > kLeastCurvature * length_sq) {
+    pairs_.push_back(std::move(pair));
+  } else {
+    unused_.push_back(std::move(pair));
+  }
+}
+
+void CurvatureMemory::find_direction(const Motion& gradient, Motion& direction) const {
+  Motion& d = direction;
+  d.resize(gradient.size());
+  for_chunks(d.size(), threads_, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) d[k] = -gradient[k];
+  });
   std::vector<double> along(pairs_.size());
   for (std::size_t k = pairs_.size(); k-- > 0;) {
     const Pair& p = pairs_[k];
@@ -79,7 +112,6 @@ Motion CurvatureMemory::direction(const Motion& gradient) const {
     const double back = p.inverse_curvature * inner_product(p.change, d, threads_);
     add_multiple(along[k] - back, p.step, d, threads_);
   }
-  return d;
 }
 
 }  // namespace packstone::relaxation

@@ -4,6 +4,7 @@
 /// The limited-memory method of Broyden, Fletcher, Goldfarb and Shanno: directions of descent.
 
 #include <deque>
+#include <vector>
 
 #include "generate/relaxation/bodies.hpp"
 
@@ -23,22 +24,26 @@ class CurvatureMemory {
  public:
   explicit CurvatureMemory(int threads) : threads_(threads) {}
 
-  void clear() { pairs_.clear(); }
+  void clear();
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
 
-  /// A step and how much the gradient changed on it. Kept only where the curvature is positive.
-  void add(Motion step, Motion change);
+  /// A step of `length` times `direction`, and the gradients before and after it. Kept only where
+  /// the curvature is positive.
+  void add(double length, const Motion& direction, const Motion& before, const Motion& after);
 
-  /// Minus the inverse Hessian, as far as it is known, times the gradient.
-  [[nodiscard]] Motion direction(const Motion& gradient) const;
+  /// Sets `direction` to minus the inverse Hessian, as far as it is known, times the gradient.
+  void find_direction(const Motion& gradient, Motion& direction) const;
 
  private:
   struct Pair {
     Motion step;
     Motion change;
-    double inverse_curvature;  // 1 / (step . change)
+    double inverse_curvature = 0.0;  // 1 / (step . change)
   };
+  [[nodiscard]] Pair unused_pair();
+
   std::deque<Pair> pairs_;
+  std::vector<Pair> unused_;  // Fresh memory for large vectors costs as much as their sums.
   int threads_;
 };
 

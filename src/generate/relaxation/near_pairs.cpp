@@ -29,8 +29,8 @@ auto name_of(const NearPair& pair) { return std::tie(pair.body, pair.other, pair
 
 bool by_name(const NearPair& p, const NearPair& q) { return name_of(p) < name_of(q); }
 
-// Gives `pairs` the hints of those of the same name among `known`.
-void keep_hints(std::vector<NearPair> known, std::vector<NearPair>& pairs) {
+// Gives `pairs` the hints of those of the same name among `known`, which are sorted.
+void keep_hints(std::vector<NearPair>& known, std::vector<NearPair>& pairs) {
   std::sort(known.begin(), known.end(), by_name);
   for (NearPair& pair : pairs) {
     const auto at = std::lower_bound(known.begin(), known.end(), pair, by_name);
@@ -96,7 +96,7 @@ void NearPairs::find(const Bodies& bodies, double margin, int threads) {
             };
             grid_.query(capsules_[i], scratch, visit, static_cast<std::int32_t>(i));
           }
-          keep_hints(std::move(chunks_[c]), found);
+          keep_hints(chunks_[c], found);
           chunks_[c] = found;
         }
       });
@@ -139,13 +139,14 @@ void NearPairs::refresh(const Bodies& bodies, const std::vector<std::size_t>& fa
   const auto with_far = [&](const NearPair& p) {
     return is_far_[static_cast<std::size_t>(p.body)] || is_far_[static_cast<std::size_t>(p.other)];
   };
-  std::vector<NearPair> known, found;
+  known_.clear();
+  found_.clear();
   for (auto& pairs : chunks_) {
     const auto first = std::find_if(pairs.begin(), pairs.end(), with_far);
     auto kept = first;
     for (auto at = first; at != pairs.end(); ++at) {
       if (with_far(*at)) {
-        known.push_back(*at);
+        known_.push_back(*at);
       } else {
         *kept++ = *at;
       }
@@ -155,12 +156,12 @@ void NearPairs::refresh(const Bodies& bodies, const std::vector<std::size_t>& fa
   for (const std::size_t i : far) {
     grid_.query(capsules_[i], scratch_, [&](std::int32_t j, const CapsuleGrid::Image& image) {
       const bool once = !is_far_[static_cast<std::size_t>(j)] || is_first_of_two(i, j, image);
-      if (once) found.push_back(pair_of(i, j, image));
+      if (once) found_.push_back(pair_of(i, j, image));
       return true;
     });
   }
-  keep_hints(std::move(known), found);
-  for (const NearPair& pair : found) {
+  keep_hints(known_, found_);
+  for (const NearPair& pair : found_) {
     chunks_[static_cast<std::size_t>(pair.body) / kChunk].push_back(pair);
   }
   for (const std::size_t i : far) is_far_[i] = false;

@@ -66,8 +66,9 @@ class NearPairs {
   std::vector<std::vector<NearPair>> chunks_;
   std::vector<Pose> last_;  // At the last look.
   std::vector<double> path_;
-  std::vector<bool> is_far_;    // All false but while some are found anew.
-  std::int64_t refreshed_ = 0;  // Bodies found anew since find(), each as often as it was.
+  std::vector<NearPair> known_, found_;  // Of refresh(), kept for their memory.
+  std::vector<bool> is_far_;             // All false but while some are found anew.
+  std::int64_t refreshed_ = 0;           // Bodies found anew since find(), each as often as it was.
 };
 
 }  // namespace packstone::relaxation

@@ -214,18 +214,17 @@ TEST_CASE("remembered steps make directions of descent that solve a quadratic pr
   CurvatureMemory memory(1);
   Motion gradient = slope(x);
   for (int step = 0; step < 150; ++step) {
-    const Motion direction = memory.direction(gradient);
+    Motion direction;
+    memory.find_direction(gradient, direction);
     REQUIRE(inner_product(direction, gradient, 1) < 0.0);
     // The exact step along the line.
     const Motion bent = slope(direction);
     const double length =
         -inner_product(direction, gradient, 1) / inner_product(direction, bent, 1);
-    Motion moved(n, 0.0), change(n, 0.0);
-    add_multiple(length, direction, moved, 1);
-    add_multiple(length, bent, change, 1);
-    add_multiple(1.0, moved, x, 1);
-    add_multiple(1.0, change, gradient, 1);
-    memory.add(moved, change);
+    const Motion before = gradient;
+    add_multiple(length, direction, x, 1);
+    add_multiple(length, bent, gradient, 1);
+    memory.add(length, direction, before, gradient);
     if (inner_product(gradient, gradient, 1) < 1e-16) break;
   }
   CHECK(inner_product(x, x, 1) < 1e-10);
