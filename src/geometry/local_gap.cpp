@@ -34,11 +34,10 @@ Vec3 direction_between(const Vec3& between, double distance, double radii, const
   return dot(across, hint) < 0.0 ? -across : across;
 }
 
-// The gap of bodies about their axes, which come nearest at `axes`.
-void set_gap_about(const NearestPoints& axes, const PosedBody& a, const PosedBody& b,
-                   const Vec3& hint, LocalGap& found) {
-  found.normal =
-      direction_between(axes.between, norm(axes.between), a.lateral + b.lateral, a, b, hint);
+// Where bodies meet whose axes come nearest at `axes`, `distance` apart.
+void set_contact(const NearestPoints& axes, double distance, const PosedBody& a, const PosedBody& b,
+                 const Vec3& hint, LocalGap& found) {
+  found.normal = direction_between(axes.between, distance, a.lateral + b.lateral, a, b, hint);
   found.point_a = axes.on_a + a.lateral * found.normal;
   found.point_b = axes.on_b - b.lateral * found.normal;
 }
@@ -49,9 +48,10 @@ bool gap_of_capsules(const PosedBody& a, const PosedBody& b, const Vec3& r, doub
   if (a.form != Form::ball || b.form != Form::ball) {
     axes = nearest_points(segment_of(a), segment_of(b), r);
   }
-  found.value = norm(axes.between) - (a.lateral + b.lateral);
+  const double distance = norm(axes.between);
+  found.value = distance - (a.lateral + b.lateral);
   if (found.value >= limit) return false;
-  set_gap_about(axes, a, b, hint, found);
+  set_contact(axes, distance, a, b, hint, found);
   hint = found.normal;
   return true;
 }
@@ -67,10 +67,11 @@ bool sides_cross(const PosedBody& a, const PosedBody& b, const Vec3& r, const Ve
   const double beyond = std::min(a.axial - std::abs(dot(axes.on_a, a.pose.axis)),
                                  b.axial - std::abs(dot(axes.on_b, b.pose.axis)));
   if (!(beyond > kInside * (a.axial + b.axial))) return false;
-  found.value = norm(axes.between) - (a.lateral + b.lateral);
+  const double distance = norm(axes.between);
+  found.value = distance - (a.lateral + b.lateral);
   if (-found.value > beyond) return false;
   if (hint != Vec3{} && gap_along(a, b, r, hint) > found.value) return false;
-  set_gap_about(axes, a, b, hint, found);
+  set_contact(axes, distance, a, b, hint, found);
   return true;
 }
 

@@ -121,6 +121,7 @@ MethodChoice choice_by_crowding(double crowded, bool all_turn, bool long_rods) {
   if (crowded <= kRelaxedCrowding) {
     return {PackMethod::relaxation, "auto: denser than rsa surely reaches", all_turn, crowded};
   }
+  // Infinite: some have no room between walls as they are turned, and have to turn a long way.
   if (long_rods && std::isfinite(crowded)) {
     return {PackMethod::relaxation, "auto: dense, and long rods block each other as they grow",
             all_turn, crowded};

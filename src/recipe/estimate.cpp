@@ -40,8 +40,8 @@ std::optional<double> ceiling_of_rods(const std::vector<OrderedBody>& bodies) {
   const auto [thin, thick] = std::minmax_element(bodies.begin(), bodies.end(), by_radius);
   const RodOrder rods = *rod_order(bodies);
   const bool flat = kind(bodies.front().body) == ShapeKind::cylinder && rods.aspect < 1.0;
-  if (rod_sizes(thick->body).first > kWidest * rod_sizes(thin->body).first || flat)
-    return std::nullopt;
+  const double thinnest = rod_sizes(thin->body).first, thickest = rod_sizes(thick->body).first;
+  if (thickest > kWidest * thinnest || flat) return std::nullopt;
   // Contacts of ends know no directions: of short rods they are most.
   constexpr double kLong = 20.0;
   const double part = std::min(1.0, rods.aspect / kLong);

@@ -36,9 +36,8 @@ struct RelaxationOptions {
   std::vector<RelaxationTurn> turn = {};
 
   /// Steps that lower the energy by less than a fifth before some of those that overlap most are
-  /// moved elsewhere [-]. >= 1. A third more for each round of such moves without a new least
-  /// energy; where there are no more rounds, a descent ends when three times as many steps lower
-  /// the energy by less than 3 %.
+  /// moved elsewhere [-]. >= 1. As many more after every three rounds of such moves without a new
+  /// least energy. Three times as many that lower it by less than 3 % end a descent in any case.
   std::int64_t patience = 20;
 
   /// Share of the bodies that are then moved, at most [-]. In [0, 1]; 0: none, the attempt ends.

@@ -89,8 +89,7 @@ void CurvatureMemory::add(double length, const Motion& direction, const Motion& 
   }
 }
 
-void CurvatureMemory::find_direction(const Motion& gradient, Motion& direction) const {
-  Motion& d = direction;
+void CurvatureMemory::find_direction(const Motion& gradient, Motion& d) const {
   d.resize(gradient.size());
   for_chunks(d.size(), threads_, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) d[k] = -gradient[k];

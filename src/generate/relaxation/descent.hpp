@@ -31,8 +31,8 @@ class CurvatureMemory {
   /// the curvature is positive.
   void add(double length, const Motion& direction, const Motion& before, const Motion& after);
 
-  /// Sets `direction` to minus the inverse Hessian, as far as it is known, times the gradient.
-  void find_direction(const Motion& gradient, Motion& direction) const;
+  /// Sets `d` to minus the inverse Hessian, as far as it is known, times the gradient.
+  void find_direction(const Motion& gradient, Motion& d) const;
 
  private:
   struct Pair {

@@ -29,7 +29,7 @@ auto name_of(const NearPair& pair) { return std::tie(pair.body, pair.other, pair
 
 bool by_name(const NearPair& p, const NearPair& q) { return name_of(p) < name_of(q); }
 
-// Gives `pairs` the hints of those of the same name among `known`, which are sorted.
+// Gives `pairs` the hints of those of the same name among `known`, and sorts these.
 void keep_hints(std::vector<NearPair>& known, std::vector<NearPair>& pairs) {
   std::sort(known.begin(), known.end(), by_name);
   for (NearPair& pair : pairs) {
