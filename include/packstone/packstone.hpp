@@ -21,6 +21,7 @@
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/box_contact.hpp"
 #include "packstone/geometry/contact.hpp"
+#include "packstone/geometry/inscribed_balls.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/geometry/published_ellipsoid_contact.hpp"
 #include "packstone/geometry/support.hpp"
