@@ -34,6 +34,7 @@ enum class StreamId : std::uint64_t {
   time_driven_centers = 12,
   relaxation_centers = 13,
   relaxation_places = 14,
+  drop_and_roll = 15,
 };
 
 /// The numbers of one (seed, stream, item, trial), drawn in sequence.

@@ -4,7 +4,6 @@
 /// Random sequential adsorption: place inclusions one by one, never move one again.
 
 #include <cstdint>
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -97,9 +96,6 @@ struct RsaResult {
 /// Reference: G. Zhang, S. Torquato, Phys. Rev. E 88 (2013) 053312.
 [[nodiscard]] RsaResult rsa_saturate(const Cell& cell, double radius,
                                      const RsaOptions& options = {}, RunContext run = {});
-
-/// Gives body k of an endless supply.
-using BodySource = std::function<OrderedBody(std::int64_t k)>;
 
 /// Fills `cell` from `source`, body after body in the order of the source, until one is proven to
 /// fit nowhere, or given up. A body that does not fit ends the run; nothing is skipped. One that

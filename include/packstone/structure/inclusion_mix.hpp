@@ -4,6 +4,7 @@
 /// Orders for groups of inclusions, and the bodies that meet them exactly.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,6 +85,9 @@ struct OrderedBody {
   Body body;
   int group = 0;  ///< Index of its InclusionGroup.
 };
+
+/// Gives body k of an endless supply.
+using BodySource = std::function<OrderedBody(std::int64_t k)>;
 
 /// The bodies with all lengths multiplied by `factor` > 0.
 [[nodiscard]] std::vector<OrderedBody> scaled(std::vector<OrderedBody> bodies, double factor);
