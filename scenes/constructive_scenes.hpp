@@ -15,8 +15,21 @@ namespace packstone::scenes {
 [[nodiscard]] BodySource lognormal_balls(int dimension, double sigma, double ratio,
                                          std::uint64_t seed);
 
-/// Ellipses of aspect a / b = `aspect`, areas uniform in [1, area_ratio], turned uniformly.
-[[nodiscard]] BodySource uniform_ellipses(double aspect, double area_ratio, std::uint64_t seed);
+/// Balls with normal radii in [1, ratio]: mean in the middle, deviation a sixth of the range.
+[[nodiscard]] BodySource normal_balls(int dimension, double ratio, std::uint64_t seed);
+
+/// Balls with radii in [1, ratio] of two normal modes of equal weight at a quarter and three
+/// quarters of the range, each of deviation 0.08 of it.
+[[nodiscard]] BodySource bimodal_balls(int dimension, double ratio, std::uint64_t seed);
+
+/// Ellipses of aspect a / b = `aspect`, areas uniform in [1, area_ratio], turned uniformly, or by a
+/// normal law of this deviation within a half turn [degrees].
+[[nodiscard]] BodySource uniform_ellipses(double aspect, double area_ratio, double deviation,
+                                          std::uint64_t seed);
+
+/// Prolate ellipsoids of this aspect turned uniformly, of unit size or log-normal sizes (sigma of
+/// the logarithm of the length), within 3 sigma.
+[[nodiscard]] BodySource prolate_ellipsoids(double aspect, double sigma, std::uint64_t seed);
 
 /// A square or cube, periodic along the horizontal axes or with walls all around, that `count`
 /// bodies of the supply fill to `fraction`.

@@ -11,6 +11,7 @@
 #include "packstone/core/run_context.hpp"
 #include "packstone/core/vec.hpp"
 #include "packstone/core/version.hpp"
+#include "packstone/generate/advancing_layer.hpp"
 #include "packstone/generate/constructive.hpp"
 #include "packstone/generate/drop_and_roll.hpp"
 #include "packstone/generate/event_driven.hpp"

@@ -35,6 +35,7 @@ enum class StreamId : std::uint64_t {
   relaxation_centers = 13,
   relaxation_places = 14,
   drop_and_roll = 15,
+  advancing_layer = 16,
 };
 
 /// The numbers of one (seed, stream, item, trial), drawn in sequence.

@@ -33,7 +33,8 @@ struct ConstructiveResult {
   Packing packing;  ///< The first bodies of the order, in that order. Group names are left to the
                     ///< caller.
   ConstructiveStop stop = ConstructiveStop::target_reached;  ///< Read this before the count.
-  std::int64_t tested = 0;  ///< Positions tried, those taken included.
+  std::int64_t tested = 0;    ///< Positions tried, those taken included.
+  std::int64_t restarts = 0;  ///< Fresh starts, of methods that make any.
 };
 
 /// The axis along which gravity acts, downward: 1 (y) in 2D, 2 (z) in 3D.

@@ -1,0 +1,172 @@
+#include "generate/advancing_layer/attempt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "generate/advancing_layer/layer.hpp"
+#include "packstone/core/random.hpp"
+#include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/measures.hpp"
+
+namespace packstone::advancing_layer {
+namespace {
+
+using Order = std::vector<std::size_t>;
+
+// Variance of the logarithm of the widths: 0 where all are alike.
+double spread(const std::vector<OrderedBody>& bodies) {
+  double sum = 0.0, sum_sq = 0.0;
+  for (const OrderedBody& b : bodies) {
+    const double logarithm = std::log(guide_radius(b.body));
+    sum += logarithm;
+    sum_sq += logarithm * logarithm;
+  }
+  const auto count = static_cast<double>(bodies.size());
+  return std::max(0.0, sum_sq / count - sum * sum / (count * count));
+}
+
+double largest_half_width(const std::vector<OrderedBody>& bodies) {
+  double largest = 0.0;
+  for (const OrderedBody& b : bodies) largest = std::max(largest, circum_radius(b.body));
+  return largest;
+}
+
+class Run {
+ public:
+  Run(const Cell& cell, const std::vector<OrderedBody>& bodies, const Plan& plan,
+      std::uint64_t attempt, double worst_missing, RunContext& run)
+      : cell_(cell),
+        bodies_(bodies),
+        plan_(plan),
+        worst_missing_(worst_missing),
+        run_(run),
+        layer_depth_(plan.top_layer * largest_half_width(bodies)),
+        layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt)),
+        heights_(plan.seed, StreamId::advancing_layer, kHeightItem, attempt) {
+    placement_.centers.resize(bodies.size());
+    split_order(RandomStream(plan.seed, StreamId::advancing_layer, kOrderItem, attempt));
+  }
+
+  Placement run() {
+    for (const std::size_t k : first_) {
+      if (!go_on() || (is_full_ && !plan_.close_top)) break;
+      keep(k, lay(bodies_[k].body));
+    }
+    layer_->open_floor();
+    for (const std::size_t k : last_) {
+      if (!go_on()) break;
+      keep(k, fit_in(bodies_[k].body));
+    }
+    placement_.tests = layer_->tests();
+    return std::move(placement_);
+  }
+
+ private:
+  // A random order, or the one given, without the smallest bodies, which come last, in the order of
+  // their sizes.
+  void split_order(RandomStream random) {
+    Order order(bodies_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t k = order.size(); k > 1 && !plan_.in_order; --k) {
+      std::swap(order[k - 1], order[random.below(k)]);
+    }
+    last_ = order;
+    std::stable_sort(last_.begin(), last_.end(), [&](std::size_t a, std::size_t b) {
+      return volume(bodies_[a].body) > volume(bodies_[b].body);
+    });
+    double total = 0.0;
+    for (const OrderedBody& b : bodies_) total += volume(b.body);
+    double held = 0.0;
+    std::size_t count = 0;
+    while (count < last_.size()) {
+      held += volume(bodies_[last_[last_.size() - 1 - count]].body);
+      if (held > plan_.held_back * total) break;
+      ++count;
+    }
+    last_.erase(last_.begin(), last_.end() - static_cast<std::ptrdiff_t>(count));
+    std::vector<bool> is_held(bodies_.size(), false);
+    for (const std::size_t k : last_) is_held[k] = true;
+    for (const std::size_t k : order) {
+      if (!is_held[k]) first_.push_back(k);
+    }
+  }
+
+  // In the layer on top; where that is full, anywhere.
+  std::optional<Vec3> lay(const Body& body) {
+    if (!is_full_) {
+      if (const auto place = on_top(body)) return place;
+      is_full_ = true;
+      if (!plan_.close_top) return std::nullopt;
+    }
+    return layer_->place(body, {0.0, plan_.candidates, true});
+  }
+
+  std::optional<Vec3> on_top(const Body& body) {
+    const double from = std::max(0.0, layer_->top() - layer_depth_);
+    return layer_->place(body, {from, plan_.candidates, false});
+  }
+
+  // In a hole, from a random height upward, or else anywhere.
+  std::optional<Vec3> fit_in(const Body& body) {
+    const double from = heights_.uniform(0.0, layer_->top());
+    if (const auto place = layer_->place(body, {from, plan_.hole_candidates, true})) return place;
+    if (const auto place = layer_->place(body, {0.0, plan_.hole_candidates, true})) return place;
+    return on_top(body);
+  }
+
+  void keep(std::size_t k, const std::optional<Vec3>& center) {
+    placement_.centers[k] = center;
+    (center ? placement_.placed : placement_.missing) += volume(bodies_[k].body);
+    count_ += center ? 1 : 0;
+    const auto wanted = static_cast<std::int64_t>(bodies_.size());
+    run_.report({"laying", static_cast<double>(count_) / static_cast<double>(wanted),
+                 placement_.placed / volume(cell_), count_, wanted});
+  }
+
+  bool go_on() {
+    if (placement_.missing > worst_missing_) return false;
+    placement_.stop = run_.stop_request();
+    return placement_.stop == StopRequest::none;
+  }
+
+  const Cell& cell_;
+  const std::vector<OrderedBody>& bodies_;
+  const Plan& plan_;
+  double worst_missing_;
+  RunContext& run_;
+  double layer_depth_;
+  std::unique_ptr<Layer> layer_;
+  RandomStream heights_;
+  Order first_, last_;
+  bool is_full_ = false;
+  std::int64_t count_ = 0;
+  Placement placement_;
+};
+
+}  // namespace
+
+Plan plan_for(const AdvancingLayerOptions& options, const std::vector<OrderedBody>& bodies) {
+  const double wide = spread(bodies);
+  const bool round = std::all_of(bodies.begin(), bodies.end(),
+                                 [](const OrderedBody& b) { return is_round(kind(b.body)); });
+  constexpr int kForShapes = 60;
+  const int for_balls = static_cast<int>(std::clamp(1.2 / std::max(wide, 0.01), 2.0, 40.0));
+  const double held = std::clamp(0.7 * wide, 0.02, 0.35);
+  const int candidates = options.candidates.value_or(round ? for_balls : kForShapes);
+  return {.min_gap = options.min_gap,
+          .top_layer = options.top_layer,
+          .candidates = candidates,
+          .hole_candidates = round ? 1 : candidates,
+          .held_back = options.close_top ? options.held_back.value_or(held) : 0.0,
+          .close_top = options.close_top,
+          .seed = options.seed};
+}
+
+Placement attempt(const Cell& cell, const std::vector<OrderedBody>& bodies, const Plan& plan,
+                  std::uint64_t attempt, double worst_missing, RunContext& run) {
+  return Run(cell, bodies, plan, attempt, worst_missing, run).run();
+}
+
+}  // namespace packstone::advancing_layer

@@ -1,0 +1,250 @@
+#pragma once
+
+/// @file
+/// The places where a ball of a given radius may rest among those that stand.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "generate/advancing_layer/anchor_queue.hpp"
+#include "generate/advancing_layer/ball_levels.hpp"
+#include "generate/advancing_layer/contact_arcs.hpp"
+#include "generate/advancing_layer/contact_caps.hpp"
+#include "packstone/core/cell.hpp"
+#include "packstone/core/tolerances.hpp"
+#include "packstone/core/vec.hpp"
+
+namespace packstone::advancing_layer {
+
+/// The lowest place on one anchor.
+struct Pocket {
+  Vec3 center;  ///< Not wrapped into the cell [L].
+  std::int32_t anchor = 0;
+};
+
+/// What balls to expect.
+struct Expected {
+  double smallest = 0.0;   ///< Least radius [L].
+  double largest = 0.0;    ///< [L].
+  double typical = 0.0;    ///< Radius of the disk or ball of mean area or volume [L].
+  std::int64_t count = 0;  ///< Balls.
+};
+
+/// Which pockets to look for.
+struct PocketSearch {
+  double radius = 0.0;  ///< Of the ball [L].
+  double from = 0.0;    ///< Height of the tops of anchors from which to look upward [L].
+  int most = 1;         ///< Anchors with a place after which the search ends.
+};
+
+/// What keeps contacts proven apart after rounding, where the largest body has the radius `largest`
+/// [L].
+inline double contact_slack(const Cell& cell, double largest) {
+  const double edge = std::max({cell.size.x, cell.size.y, cell.size.z});
+  return 32.0 * kUnitRoundoff * edge + 4e-12 * largest;
+}
+
+/// @tparam D  Dimension of the cell.
+template <int D>
+class Pockets {
+ public:
+  static constexpr std::size_t kUp = D - 1;
+
+  /// @param min_gap  Least gap of any two balls [L].
+  Pockets(const Cell& cell, const Expected& expected, double min_gap)
+      : cell_(cell),
+        smallest_(expected.smallest),
+        largest_(expected.largest),
+        slack_(contact_slack(cell, expected.largest)),
+        apart_(min_gap + slack_),
+        levels_(cell, expected.smallest, expected.largest, expected.count),
+        queue_(cell.size[kUp], kBin * expected.typical, expected.smallest) {}
+
+  /// A ball that stands; its center lies in the cell.
+  void add(const Vec3& center, double radius) {
+    const std::int32_t ball = levels_.add(center, radius);
+    const double top = center[kUp] + radius;
+    top_ = std::max(top_, std::min(top, cell_.size[kUp]));
+    queue_.add(ball, top);
+    failures_.push_back(0);
+  }
+
+  /// Height of the highest top [L].
+  [[nodiscard]] double top() const { return top_; }
+  [[nodiscard]] const BallLevels<D>& balls() const { return levels_; }
+  [[nodiscard]] std::int64_t tests() const { return tests_; }
+
+  /// There is no floor any more, along a period: other balls hold those that are there.
+  void open_floor() {
+    if (!cell_.periodic[kUp]) return;
+    floor_ = false;
+    for (std::int32_t ball = 0; ball < levels_.size(); ++ball) {
+      if (is_near(levels_.center(ball)[kUp], 0.0)) queue_.renew(ball);
+    }
+  }
+  /// Forgets what failed on anchors with tops above `height`.
+  void renew_above(double height) {
+    for (std::int32_t ball = 0; ball < levels_.size(); ++ball) {
+      if (levels_.center(ball)[kUp] + levels_.radius(ball) >= height) queue_.renew(ball);
+    }
+  }
+  /// Whether two heights are so near that a ball may touch both, along a period in either way.
+  [[nodiscard]] bool is_near(double height, double other) const {
+    double apart = std::abs(height - other);
+    if (cell_.periodic[kUp]) apart = std::min(apart, cell_.size[kUp] - apart);
+    return apart <= 4.0 * largest_;
+  }
+
+  /// Lists the lowest place on each anchor that has one.
+  void find(const PocketSearch& search, std::vector<Pocket>& found) {
+    found.clear();
+    queue_.walk(search.from, search.radius, [&](std::int32_t anchor, double& limit) {
+      Pocket pocket{{}, anchor};
+      if (lowest(anchor, search.radius, pocket.center)) {
+        found.push_back(pocket);
+        return static_cast<int>(found.size()) < search.most;
+      }
+      limit = search.radius;
+      if (fails_again(anchor)) limit = failing_radius(anchor, search.radius);
+      return true;
+    });
+  }
+
+  /// What was found on this anchor is of no use to balls of `radius` and above.
+  void give_up(std::int32_t anchor, double radius) { queue_.lower_limit(anchor, radius); }
+
+  /// Calls visit(center) for all places of a ball on `anchor`.
+  template <class Visit>
+  void visit_places(std::int32_t anchor, double radius, Visit&& visit) {
+    double rho = 0.0;
+    if (!block_around(anchor, radius, rho)) return;
+    const Vec3& center = levels_.center(anchor);
+    blocked_.visit_ends([](const Vec3&) { return true; },
+                        [&](const Vec3& e) { visit(center + rho * e); });
+  }
+
+  /// Distance to a wall at which a ball touches it [L].
+  [[nodiscard]] double beside_wall(double radius) const { return radius + slack_; }
+
+  /// Whether a ball overlaps nothing, walls included.
+  [[nodiscard]] bool is_clear(const Vec3& center, double radius) const {
+    const double to_wall = radius + (1.0 - kRounding) * slack_;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      if (has_floor(axis) && center[axis] < to_wall) return false;
+      if (!cell_.periodic[axis] && center[axis] > cell_.size[axis] - to_wall) return false;
+    }
+    const double keep = radius + apart_ - kRounding * slack_;
+    return levels_.near(center, keep, [&](std::int32_t, const Vec3& r, double other) {
+      const double least = keep + other;
+      return norm_sq(r) >= least * least;
+    });
+  }
+
+ private:
+  using Blocked = std::conditional_t<D == 2, ContactArcs, ContactCaps>;
+  // Height of a bin of anchors over the typical radius.
+  static constexpr double kBin = 0.15;
+  // Part of the slack that rounding of positions may take.
+  static constexpr double kRounding = 0.25;
+
+  [[nodiscard]] bool has_floor(std::size_t axis) const {
+    return !cell_.periodic[axis] || (axis == kUp && floor_);
+  }
+
+  bool fails_again(std::int32_t anchor) {
+    std::uint8_t& failures = failures_[static_cast<std::size_t>(anchor)];
+    if (failures < std::numeric_limits<std::uint8_t>::max()) ++failures;
+    return failures > 1;
+  }
+
+  bool lowest(std::int32_t anchor, double radius, Vec3& place) {
+    double rho = 0.0;
+    if (!block_around(anchor, radius, rho)) return false;
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 best;
+    blocked_.visit_ends([&](const Vec3& e) { return e[kUp] < least; },
+                        [&](const Vec3& e) {
+                          least = e[kUp];
+                          best = e;
+                        });
+    place = levels_.center(anchor) + rho * best;
+    return std::isfinite(least);
+  }
+
+  // A radius that fails, near the least such: `radius` fails, smaller ones are tried. The more
+  // often an anchor has failed the closer, so that balls of slowly falling size do not fail on it
+  // time and again.
+  double failing_radius(std::int32_t anchor, double radius) {
+    constexpr double kFirstStep = 0.2;
+    constexpr int kMostHalvings = 10;
+    constexpr int kHalvings = 3;
+    const std::uint8_t failures = failures_[static_cast<std::size_t>(anchor)];
+    Vec3 place;
+    double step = std::ldexp(kFirstStep, -std::min<int>(failures - 2, kMostHalvings));
+    double fails = radius;
+    double fits = fails - step * radius;
+    while (fits > smallest_ && !lowest(anchor, fits, place)) {
+      fails = fits;
+      step *= 2.0;
+      fits = fails - step * radius;
+    }
+    if (!(fits > smallest_)) return std::min(fails, smallest_);
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (fits + fails);
+      (lowest(anchor, middle, place) ? fits : fails) = middle;
+    }
+    return fails;
+  }
+
+  // Blocks what walls and balls block for a ball on `anchor`. False where nothing is left.
+  bool block_around(std::int32_t anchor, double radius, double& rho) {
+    ++tests_;
+    blocked_.clear();
+    const Vec3& center = levels_.center(anchor);
+    rho = levels_.radius(anchor) + radius + apart_;
+    if (!block_walls(center, radius, rho)) return false;
+    const double keep = radius + apart_;
+    return levels_.near(center, rho + keep, [&](std::int32_t ball, const Vec3& r, double other) {
+      const double s = keep + other;
+      const double d_sq = norm_sq(r);
+      if (d_sq >= (rho + s) * (rho + s)) return true;
+      if (ball == anchor && d_sq == 0.0) return true;
+      const double d = std::sqrt(d_sq);
+      return blocked_.block(r / d, (rho * rho + d_sq - s * s) / (2.0 * rho * d));
+    });
+  }
+
+  bool block_walls(const Vec3& center, double radius, double rho) {
+    const double to_wall = beside_wall(radius);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      Vec3 n{};
+      n[axis] = -1.0;
+      if (has_floor(axis) && !blocked_.block(n, (center[axis] - to_wall) / rho)) return false;
+      if (cell_.periodic[axis]) continue;
+      n[axis] = 1.0;
+      const double room = cell_.size[axis] - to_wall - center[axis];
+      if (!blocked_.block(n, room / rho)) return false;
+    }
+    return true;
+  }
+
+  Cell cell_;
+  double smallest_;
+  double largest_;
+  double slack_;
+  double apart_;  // Of the surfaces of balls that touch.
+  BallLevels<D> levels_;
+  AnchorQueue queue_;
+  Blocked blocked_;
+  std::vector<std::uint8_t> failures_;
+  double top_ = 0.0;
+  bool floor_ = true;
+  std::int64_t tests_ = 0;
+};
+
+}  // namespace packstone::advancing_layer
