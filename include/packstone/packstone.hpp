@@ -15,6 +15,7 @@
 #include "packstone/generate/constructive.hpp"
 #include "packstone/generate/drop_and_roll.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/published_advancing_layer.hpp"
 #include "packstone/generate/published_event_driven.hpp"
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
