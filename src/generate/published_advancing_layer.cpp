@@ -18,7 +18,6 @@
 #include "packstone/geometry/measures.hpp"
 #include "packstone/spatial/hierarchical_grid.hpp"
 #include "packstone/spatial/separation.hpp"
-#include "packstone/structure/images.hpp"
 #include "packstone/structure/standing.hpp"
 
 namespace packstone {

@@ -34,6 +34,8 @@ struct Pile::Hit {
   bool floor = false;
   Contact contact;
 
+  // Is there no way at all?
+  [[nodiscard]] bool is_at(const Angle& now) const { return blocked && angle.cos == now.cos; }
   void become(const Angle& at, const Contact& by) {
     angle = at;
     blocked = true;
@@ -126,9 +128,15 @@ std::optional<Contact> Pile::first_below(const Traveler& ball, double depth) con
 }
 
 Pile::Step Pile::roll(Traveler& ball) const {
-  const auto arc = arc_on(ball.contacts, ball.p, up_);
+  auto arc = arc_on(ball.contacts, ball.p, up_);
   if (!arc) return Step::rests;
-  const Hit hit = first_hit(ball, *arc);
+  Hit hit = first_hit(ball, *arc);
+  // As upon two balls that stand at a wall: the way into the wall is as good as the one out of it.
+  if (hit.is_at(arc->now) && arc->begins_at_top()) {
+    arc = arc->mirrored();
+    hit = first_hit(ball, *arc);
+    if (hit.is_at(arc->now)) return Step::rests;
+  }
   ball.p = arc->at(hit.angle);
   for (std::size_t a = 0; a < up_axis_; ++a) {
     if (!cell_.periodic[a]) ball.p[a] = std::clamp(ball.p[a], ball.box.lo[a], ball.box.hi[a]);
@@ -167,6 +175,7 @@ Pile::Hit Pile::first_hit(const Traveler& ball, const Arc& arc) const {
 void Pile::meet_walls(const Traveler& ball, const Arc& arc, Hit& hit) const {
   const auto meet = [&](std::size_t axis, const Vec3& point, double sign) {
     const Vec3 inward = sign * unit_along(axis);
+    if (ball.contacts.holds_wall(inward)) return;
     const auto at =
         entry(blocked_by_plane(arc, point, inward, 0.25 * margin_), arc.now, hit.angle.cos);
     if (!at) return;

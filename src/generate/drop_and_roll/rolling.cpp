@@ -74,10 +74,16 @@ void keep_only(Contacts& contacts, std::size_t i, std::size_t j) {
   }
 }
 
-Vec3 along_circle(const Vec3& radial, const Vec3& uphill, const Vec3& otherwise) {
-  const Vec3 across = radial - dot(radial, uphill) * uphill;
+// Level, away from the axis; any way from its top.
+Vec3 steepest_way(const Vec3& radial, const Vec3& up) {
+  const Vec3 across = radial - dot(radial, up) * up;
   const double length = norm(across);
-  return length > 0.0 ? across / length : otherwise;
+  return length > 0.0 ? across / length : Vec3{1, 0, 0};
+}
+
+// The one of both ways that leads to where the ball is.
+Vec3 toward(const Vec3& radial, const Vec3& across) {
+  return dot(radial, across) < 0.0 ? -across : across;
 }
 
 Angle angle_of(const Arc& arc, const Vec3& p) {
@@ -90,7 +96,7 @@ Arc arc_on_ball(const Contact& ball, const Vec3& p, const Vec3& up) {
   arc.middle = ball.center;
   arc.radius = ball.reach;
   arc.uphill = up;
-  arc.across = along_circle(p - ball.center, up, Vec3{1, 0, 0});
+  arc.across = steepest_way(p - ball.center, up);
   arc.now = angle_of(arc, p);
   return arc;
 }
@@ -105,7 +111,7 @@ std::optional<Arc> arc_on_ball_and_wall(const Contacts& contacts, std::size_t ba
   arc.middle = contacts[ball].center - distance * wall.normal;
   arc.radius = std::sqrt(radius_sq);
   arc.uphill = up;
-  arc.across = along_circle(p - arc.middle, up, cross(wall.normal, up));
+  arc.across = toward(p - arc.middle, cross(wall.normal, up));
   arc.now = angle_of(arc, p);
   arc.leaves = ball;
   return arc;
@@ -143,8 +149,7 @@ std::optional<Arc> arc_on_balls(const Contact& first, const Contact& second, con
   arc.middle = first.center + x_1 * e;
   arc.radius = std::sqrt(radius_sq);
   arc.uphill = slope / steepness;
-  arc.across = cross(e, arc.uphill);
-  if (dot(p - arc.middle, arc.across) < 0.0) arc.across = -arc.across;
+  arc.across = toward(p - arc.middle, cross(e, arc.uphill));
   arc.now = angle_of(arc, p);
   set_end(arc, x_1, distance - x_1, along, steepness);
   return arc;

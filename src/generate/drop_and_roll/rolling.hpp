@@ -4,6 +4,7 @@
 /// How a ball rolls: equations (1) to (3) of drop_and_roll.hpp. In the plane z is 0 throughout.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -44,6 +45,13 @@ class Contacts {
     }
     return false;
   }
+  /// Is the wall with this normal?
+  [[nodiscard]] bool holds_wall(const Vec3& inward) const {
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (contacts_[k].body == Contact::kWall && contacts_[k].normal == inward) return true;
+    }
+    return false;
+  }
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] Contact& operator[](std::size_t k) { return contacts_[k]; }
   [[nodiscard]] const Contact& operator[](std::size_t k) const { return contacts_[k]; }
@@ -73,6 +81,15 @@ struct Arc {
   double last_cos = 0.0;  ///< Cosine of the angle at which the contact `leaves` lets go.
   std::size_t leaves = 0;
 
+  /// Does it begin at the top, from where both ways lead down alike?
+  [[nodiscard]] bool begins_at_top() const { return std::abs(now.sin) < 1e-9 && now.cos > 0.0; }
+  /// The other way.
+  [[nodiscard]] Arc mirrored() const {
+    Arc other = *this;
+    other.across = -across;
+    other.now.sin = -now.sin;
+    return other;
+  }
   [[nodiscard]] Vec3 at(const Angle& angle) const {
     return middle + radius * (angle.cos * uphill + angle.sin * across);
   }

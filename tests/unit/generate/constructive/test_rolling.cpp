@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "generate/drop_and_roll/pile.hpp"
 #include "packstone/core/random.hpp"
 
 namespace packstone::rolling {
@@ -140,6 +141,42 @@ TEST_CASE("arc_on between a ball and a wall stays in the plane of centers at the
   CHECK(later.x == Approx(1.0).epsilon(1e-14));
   CHECK(later.z == Approx(ball.z).margin(1e-14));
   CHECK(norm(later - ball) == Approx(norm(p - ball)).epsilon(1e-14));
+}
+
+TEST_CASE("arc_on between a ball and a wall stays there from the very top, rounding or not") {
+  for (const double off : {0.0, 1e-16, -1e-16}) {
+    const Vec3 ball{5.0, 1.0, 1.0};
+    const Vec3 p{5.0 + off, 1.0 + off, 3.0};
+    Contacts contacts;
+    contacts.add({Contact::kWall, {0, 1.0, 0}, 0.0, {0, 1, 0}});
+    contacts.add(ball_below(0, ball, 2.0, p));
+    const auto arc = arc_on(contacts, p, kUp);
+    REQUIRE(arc);
+    CHECK(arc->begins_at_top());
+    CHECK(arc->at({0.0, 1.0}).y == 1.0);
+    CHECK(arc->mirrored().at({0.0, 1.0}).x == Approx(10.0 - arc->at({0.0, 1.0}).x));
+  }
+}
+
+TEST_CASE("Pile: a ball between two that stand at a wall rolls away from the wall") {
+  const Cell cell{3, {20, 20, 20}, {false, false, false}};
+  for (const double wall : {1.0, 19.0}) {
+    Pile pile(cell, 0.0);
+    pile.add({9.0, wall, 1.0}, 1.0);
+    pile.add({11.5, wall, 1.0}, 1.0);
+    const auto place = pile.drop({10.4, wall, 0.0}, 1.0);
+    REQUIRE(place);
+    CHECK(place->z == Approx(1.0).epsilon(1e-12));
+    CHECK(std::abs(place->y - wall) > 1.0);
+  }
+}
+
+TEST_CASE("Pile: a ball above the ceiling has no place") {
+  const Cell cell = cell_2d(2.5, 3.0, false, false);
+  Pile pile(cell, 0.0);
+  pile.add({1.0, 1.0, 0.0}, 1.0);
+  CHECK_FALSE(pile.drop({1.2, 0.0, 0.0}, 1.0));
+  CHECK(pile.drop({1.2, 0.0, 0.0}, 0.2));
 }
 
 TEST_CASE("entry agrees with a walk along the circle") {
