@@ -73,7 +73,7 @@ struct PublishedLayerResult : ConstructiveResult {
 /// periodic, which the paper does not know, or has walls.
 ///
 /// Good for: seeing what the published method does.
-/// Not for:  packings. advancing_layer_pack() is denser, faster and free of overlap.
+/// Not for:  packings, as ellipses overlap.
 ///
 /// Errors:  throws InvalidArgument, before any work, if an option is out of range, the cell is not
 ///          2D or is periodic along y, or a body is neither disk nor ellipse or cannot stand in the
