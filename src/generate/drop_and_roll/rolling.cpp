@@ -6,10 +6,6 @@
 namespace packstone::rolling {
 namespace {
 
-// Square of the sine below which a way along a contact does not count as one into it. A contact
-// that carries nothing any more is left along its tangent, and rounding may turn that either way.
-constexpr double kGrazing = 1e-24;
-
 // The normals of contacts, and their components along `up`.
 struct Normals {
   std::size_t count = 0;
@@ -35,9 +31,14 @@ bool leads_away(const Normals& normals, const Vec3& v, std::size_t i, std::size_
   return true;
 }
 
-bool carries_alone(const Normals& normals, const Vec3& up, std::size_t i) {
+// By the very expression whose sign says whether i and k share the weight, so that rounding leaves
+// one of both.
+bool carries_alone(const Normals& normals, std::size_t i) {
   if (normals.up[i] <= 0.0) return false;
-  return leads_away(normals, normals.up[i] * normals.n[i] - up, i, i);
+  for (std::size_t k = 0; k < normals.count; ++k) {
+    if (k != i && normals.up[k] > dot(normals.n[i], normals.n[k]) * normals.up[i]) return false;
+  }
+  return true;
 }
 
 // The share of gravity that contacts i and j carry together: of the unit vector `up` what lies in
@@ -164,7 +165,7 @@ bool settle(Contacts& contacts, const Vec3& up) {
     return false;
   }
   for (std::size_t i = 0; i < normals.count; ++i) {
-    if (!carries_alone(normals, up, i)) continue;
+    if (!carries_alone(normals, i)) continue;
     keep_only(contacts, i, i);
     return false;
   }
@@ -192,9 +193,11 @@ std::optional<Arc> arc_on(const Contacts& contacts, const Vec3& p, const Vec3& u
 std::optional<Angle> entry(const Blocked& blocked, const Angle& now, double last_cos) {
   const auto [a, b, k, slack] = blocked;
   const double depth = a * now.cos + b * now.sin - k;
+  // Less is along the contact, not into it: one that carries nothing any more is left along its
+  // tangent, which rounding may turn either way.
   const double inward = b * now.cos - a * now.sin;
+  if (depth > -slack && inward > slack) return now;
   const double amplitude_sq = a * a + b * b;
-  if (depth > -slack && inward > 0.0 && inward * inward > kGrazing * amplitude_sq) return now;
   const double room = amplitude_sq - k * k;
   if (!(room > 0.0)) return std::nullopt;
   // t = atan2(b, a) - acos(k / amplitude), without an angle.

@@ -104,7 +104,8 @@ struct Blocked {
   double a = 0.0;
   double b = 0.0;
   double k = 0.0;
-  double slack = 0.0;  ///< What counts as touched already: as much below k.
+  double slack = 0.0;  ///< What counts as touched already: as much below k. And as level: a rise by
+                       ///< so much per radian.
 };
 
 /// By a ball about `center` that is not to come nearer than `reach`, equation (2); `touch` is the

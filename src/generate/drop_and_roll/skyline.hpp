@@ -17,30 +17,36 @@ namespace packstone::rolling {
 /// is in the way.
 class Skyline {
  public:
-  explicit Skyline(const Cell& cell) : cell_(cell), axes_(cell.dimension == 2 ? 1 : 2) {
-    for (std::size_t a = 0; a < axes_; ++a) {
-      count_[a] = axes_ == 1 ? kMostColumns : kMostRows;
-      per_width_[a] = count_[a] / cell.size[a];
-    }
-    tops_.assign(static_cast<std::size_t>(count_[0]) * count_[1], 0.0);
-  }
+  explicit Skyline(const Cell& cell) : cell_(cell), axes_(cell.dimension == 2 ? 1 : 2) {}
 
-  /// A ball about `center` stands.
+  /// A ball about `center` stands. The first one decides how wide columns are.
   void add(const Vec3& center, double radius) {
+    if (tops_.empty()) lay_out(0.5 * radius);
     const double top = center[axes_] + radius;
     for_columns(center, radius, [&](std::size_t k) { tops_[k] = std::max(tops_[k], top); });
   }
 
   /// Above which a ball over `center` meets nothing [L].
   [[nodiscard]] double height(const Vec3& center, double radius) const {
+    if (tops_.empty()) return 0.0;
     double highest = 0.0;
     for_columns(center, radius, [&](std::size_t k) { highest = std::max(highest, tops_[k]); });
     return highest;
   }
 
  private:
-  static constexpr int kMostColumns = 2048;
-  static constexpr int kMostRows = 128;
+  static constexpr int kMostColumns = 4096;
+  static constexpr int kMostRows = 256;
+
+  void lay_out(double width) {
+    const int most = axes_ == 1 ? kMostColumns : kMostRows;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      count_[a] =
+          static_cast<int>(std::clamp(cell_.size[a] / width, 1.0, static_cast<double>(most)));
+      per_width_[a] = count_[a] / cell_.size[a];
+    }
+    tops_.assign(static_cast<std::size_t>(count_[0]) * count_[1], 0.0);
+  }
 
   struct Range {
     int first = 0;

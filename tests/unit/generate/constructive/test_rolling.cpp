@@ -196,6 +196,18 @@ TEST_CASE("entry agrees with a walk along the circle") {
   CHECK(met > 5);
 }
 
+TEST_CASE("entry: a contact left along its tangent does not block, whichever way rounding turns") {
+  const double k = std::cos(0.4);
+  for (const double turn : {-1e-11, 0.0, 1e-11}) {
+    // The blocked arc ends just here, or a rounding ahead: on its rim the slope is all but level.
+    const Blocked blocked{1.0, 0.0, 1.0, 1e-10};
+    const Angle now{std::cos(turn), std::sin(turn)};
+    CHECK_FALSE(entry(blocked, now, -1.0));
+  }
+  // Steeply into it, from as near.
+  CHECK(entry({std::cos(1.4), std::sin(1.4), k, 1e-10}, {std::cos(1.0), std::sin(1.0)}, -1.0));
+}
+
 TEST_CASE("entry: what touches and lies ahead blocks at once, what lies behind does not") {
   const Angle now{std::cos(1.0), std::sin(1.0)};
   const auto blocked_at = [&](double middle) {
