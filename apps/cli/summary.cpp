@@ -143,6 +143,23 @@ std::string time_driven_text(const TimeDrivenOutcome& outcome) {
                      rounded(outcome.start_energy, 3));
 }
 
+Json published_layer_json(const std::optional<PublishedLayerOutcome>& outcome) {
+  if (!outcome) return nullptr;
+  return {{"overlaps", outcome->overlaps.pairs},
+          {"deepest", outcome->overlaps.deepest},
+          {"mean", outcome->overlaps.mean},
+          {"first_row", outcome->first_row},
+          {"pairs_tried", outcome->pairs_tried}};
+}
+
+std::string published_layer_text(const PublishedLayerOutcome& outcome) {
+  return fmt::format(
+      "{} pairs of true bodies overlap, by {} of their half thickness at most, {} on "
+      "the mean",
+      outcome.overlaps.pairs, rounded(outcome.overlaps.deepest, 3),
+      rounded(outcome.overlaps.mean, 3));
+}
+
 double size_factor(const PackOutcome& outcome) {
   if (outcome.relaxation) return outcome.relaxation->size_factor;
   return outcome.motion ? outcome.motion->size_factor : 1.0;
@@ -156,6 +173,7 @@ std::string sizes_text(const PackOutcome& outcome) {
 std::string work_text(const PackOutcome& outcome) {
   if (outcome.relaxation) return relaxation_text(outcome.relaxation->report);
   if (outcome.time_driven) return time_driven_text(*outcome.time_driven);
+  if (outcome.published_layer) return published_layer_text(*outcome.published_layer);
   if (!outcome.motion) {
     return fmt::format("{} trials, {} restarts", outcome.trials, outcome.restarts);
   }
@@ -233,6 +251,7 @@ std::string plan_text(const PackPlan& plan) {
 std::string stop_words(const std::string& stop) {
   if (stop == "saturated") return "proven: the next inclusion fits nowhere";
   if (stop == "given_up") return "gave up after max_trials rejected trials in a row";
+  if (stop == "full") return "one found no place";
   if (stop == "jammed") return "jammed: they hardly grow any more";
   if (stop == "stagnated") return "stagnated by the published criterion";
   if (stop == "relaxed") return "the method sees no overlap any more, but there are some";
@@ -319,6 +338,7 @@ Json outcome_json(const PackOutcome& outcome) {
             {"groups", groups},
             {"derived", outcome.derived}};
   text["time_driven"] = time_driven_json(outcome.time_driven);
+  text["published_layer"] = published_layer_json(outcome.published_layer);
   text["certificate"] = certificate_json(*outcome.packing.certificate);
   text["deepest_crossing"] = crossing_json(outcome.deepest_crossing);
   return text;
@@ -392,6 +412,12 @@ std::string shortfall_text(const PackOutcome& outcome) {
     text +=
         "\n  rsa never moves what it placed, so it jams early (equal spheres near 0.38): "
         "order a smaller fraction, or method = \"event-driven\"";
+  } else if (outcome.stop == "full" && !outcome.published_layer) {
+    text +=
+        "\n  try another --seed, more restarts (packing.advancing-layer.max_restarts), or order a "
+        "smaller fraction; where bodies may turn, method = \"event-driven\" packs denser";
+  } else if (outcome.published_layer) {
+    text += "\n  method = \"advancing-layer\" packs denser, without overlap";
   } else if (outcome.stop == "jammed") {
     text +=
         "\n  slower growth packs denser (packing.event-driven.growth_rate), as may another --seed; "

@@ -11,6 +11,7 @@
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/standing.hpp"
+#include "recipe/draw_mix.hpp"
 #include "recipe/rod_order.hpp"
 
 namespace packstone::recipe {
@@ -93,7 +94,7 @@ void refuse_open_count(const InclusionMix& mix, PackMethod method) {
       "", static_cast<int>(open - mix.open_count.begin()), GroupField::size, "",
       "a size alone leaves the count open, and " + std::string(name(method)) +
           " moves a number of inclusions that is known; give a count or a fraction too, or order "
-          "method = \"rsa\" and goal = \"target\"");
+          "method = \"rsa\" or \"advancing-layer\" and goal = \"target\"");
 }
 
 // Up to this crowding relaxations of all shapes tried came to rest at the first attempt.
@@ -154,7 +155,9 @@ MethodChoice choose_method(const Recipe& recipe, const InclusionMix& mix) {
   MethodChoice choice = recipe.method == PackMethod::automatic
                             ? automatic_choice(recipe, mix)
                             : MethodChoice{recipe.method, "as ordered"};
-  if (choice.method != PackMethod::rsa) refuse_open_count(mix, choice.method);
+  if (choice.method != PackMethod::rsa && !is_constructive(choice.method)) {
+    refuse_open_count(mix, choice.method);
+  }
   return choice;
 }
 

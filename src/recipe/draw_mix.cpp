@@ -148,6 +148,7 @@ std::vector<bool> turned_groups(const Recipe& recipe, PackMethod method) {
   if (method == PackMethod::rsa) return redrawn_groups(recipe);
   std::vector<bool> fixed;
   if (method == PackMethod::event_driven) fixed = fixed_orientations(recipe);
+  if (is_constructive(method)) fixed.assign(recipe.groups.size(), true);
   const bool locked = recipe.relaxation.rotate == RelaxationTurn::locked;
   if (method == PackMethod::relaxation && locked) fixed.assign(recipe.groups.size(), true);
   std::vector<bool> turned;
@@ -155,6 +156,11 @@ std::vector<bool> turned_groups(const Recipe& recipe, PackMethod method) {
     turned.push_back(!is_round(recipe.groups[g].shape) && (fixed.empty() || !fixed[g]));
   }
   return turned;
+}
+
+bool is_constructive(PackMethod method) {
+  return method == PackMethod::advancing_layer || method == PackMethod::drop_and_roll ||
+         method == PackMethod::published_advancing_layer;
 }
 
 bool is_any_size(const Recipe& recipe, PackMethod method) {

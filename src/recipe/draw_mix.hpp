@@ -16,6 +16,9 @@ namespace packstone::recipe {
 /// machine.
 [[nodiscard]] InclusionMix draw_mix(const Recipe& recipe);
 
+/// Whether the method places bodies one by one where they touch others, and turns none.
+[[nodiscard]] bool is_constructive(PackMethod method);
+
 /// Whether the goal of `method` leaves the sizes open.
 [[nodiscard]] bool is_any_size(const Recipe& recipe, PackMethod method);
 

@@ -69,6 +69,11 @@ constexpr Costs kGrowth{8.0, 25.0, 400.0};
 constexpr Costs kJamming{2e3, 5e4, 1e6};
 constexpr Costs kRelaxedJamming{5e4, 1e5, 1e5};
 constexpr Costs kCollision{1.0, 4.0, 15.0};
+// In the plane, and in space.
+constexpr Costs kFlatLayer{15.0, 500.0, 500.0};
+constexpr Costs kLayer{200.0, 4e3, 1e4};
+constexpr Costs kDropping{10.0, 10.0, 10.0};
+constexpr Costs kPublishedLayer{40.0, 3e3, 3e3};
 
 // Of all bodies, in seconds.
 double total(const Costs& costs, const std::vector<OrderedBody>& bodies) {
@@ -108,6 +113,12 @@ std::optional<double> seconds_for(const Recipe& recipe, const InclusionMix& mix,
       if (is_any_size(recipe, method)) return total(kRelaxedJamming, mix.bodies);
       if (near < 1.0) return total(kRelaxation, mix.bodies) / (1.0 - near);
       break;
+    case PackMethod::advancing_layer:
+      return total(recipe.cell.dimension == 2 ? kFlatLayer : kLayer, mix.bodies);
+    case PackMethod::drop_and_roll:
+      return total(kDropping, mix.bodies);
+    case PackMethod::published_advancing_layer:
+      return total(kPublishedLayer, mix.bodies);
     case PackMethod::event_driven:
       return growth_seconds(recipe, mix, near);
     default:

@@ -12,6 +12,7 @@
 #include "recipe/choose_method.hpp"
 #include "recipe/draw_mix.hpp"
 #include "recipe/estimate.hpp"
+#include "recipe/run_constructive.hpp"
 #include "recipe/run_event_driven.hpp"
 #include "recipe/run_relaxation.hpp"
 #include "recipe/run_rsa.hpp"
@@ -28,8 +29,10 @@ void certify(const Recipe& recipe, const RunContext& run, PackOutcome& outcome) 
   outcome.packing.certificate = check_packing(outcome.packing, {.min_gap = recipe.min_gap}, whole);
   if (outcome.packing.certificate->passed()) return;
   outcome.deepest_crossing = deepest_crossing(outcome.packing);
-  // Of a relaxation that has not come to its end the certificate says what still overlaps.
-  const bool relaxed = outcome.relaxation || outcome.time_driven;
+  // Of a relaxation that has not come to its end the certificate says what still overlaps, and of
+  // published advancing layers what their circles have missed.
+  if (outcome.published_layer) outcome.target_reached = false;
+  const bool relaxed = outcome.relaxation || outcome.time_driven || outcome.published_layer;
   if (relaxed && !outcome.target_reached) return;
   outcome.target_reached = false;
   outcome.stop = "check_failed";
@@ -75,6 +78,7 @@ class Run {
   const PackPlan& plan() {
     choice_ = recipe::for_recipe(recipe_, [&] { return recipe::choose_method(recipe_, mix_); });
     recipe::refuse_impossible(recipe_, mix_, choice_.method);
+    recipe::refuse_unsuited(recipe_, choice_.method);
     plan_ = recipe::plan_of(recipe_, mix_, choice_);
     return plan_;
   }
@@ -86,6 +90,9 @@ class Run {
       if (choice_.method == PackMethod::relaxation) return relaxed(checkpointing);
       if (choice_.method == PackMethod::time_driven) {
         return recipe::run_time_driven(recipe_, mix_, run_);
+      }
+      if (recipe::is_constructive(choice_.method)) {
+        return recipe::run_constructive(recipe_, mix_, choice_.method, run_);
       }
       return recipe::run_event_driven(recipe_, mix_, run_, named(checkpointing));
     });

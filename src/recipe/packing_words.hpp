@@ -15,11 +15,15 @@ namespace packstone::recipe {
 template <class T>
 using Words = std::vector<std::pair<std::string_view, T>>;
 
-inline const Words<PackMethod> kMethods{{"auto", PackMethod::automatic},
-                                        {"rsa", PackMethod::rsa},
-                                        {"event-driven", PackMethod::event_driven},
-                                        {"relaxation", PackMethod::relaxation},
-                                        {"time-driven", PackMethod::time_driven}};
+inline const Words<PackMethod> kMethods{
+    {"auto", PackMethod::automatic},
+    {"rsa", PackMethod::rsa},
+    {"event-driven", PackMethod::event_driven},
+    {"relaxation", PackMethod::relaxation},
+    {"time-driven", PackMethod::time_driven},
+    {"advancing-layer", PackMethod::advancing_layer},
+    {"drop-and-roll", PackMethod::drop_and_roll},
+    {"published-advancing-layer", PackMethod::published_advancing_layer}};
 
 inline const Words<RsaOrder> kRsaOrders{{"largest-first", RsaOrder::largest_first},
                                         {"group", RsaOrder::as_given},

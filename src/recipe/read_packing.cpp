@@ -11,6 +11,10 @@
 namespace packstone::recipe {
 namespace {
 
+constexpr std::int64_t kMostCandidates = 1'000'000;
+constexpr std::int64_t kMostDrops = 10'000;
+const Range kShare{.text = "a number >= 0 and <= 1", .lo = 0.0, .hi = 1.0};
+
 // The readers of values that may be absent: `value` then stays as it is, as it does when what
 // stands there is not allowed.
 
@@ -114,13 +118,12 @@ void read_relaxation(const TableView& packing, RelaxationSettings& settings,
       {"goal", "rotate", "inflation", "patience", "relocated_share", "max_relocations",
        "max_restarts", "start", "start_fraction", "first_step", "least_step"},
       complaints);
-  const Range share{.text = "a number >= 0 and <= 1", .lo = 0.0, .hi = 1.0};
   read_into(table["goal"], kRelaxationGoals, settings.goal, complaints);
   read_steps(table, settings, complaints);
   read_into(table["rotate"], kRelaxationTurns, settings.rotate, complaints);
   read_into(table["inflation"], positive_up_to(0.1, "0.1"), settings.inflation, complaints);
   read_into(table["patience"], 1, settings.patience, complaints);
-  read_into(table["relocated_share"], share, settings.relocated_share, complaints);
+  read_into(table["relocated_share"], kShare, settings.relocated_share, complaints);
   read_into(table["max_relocations"], 0, settings.max_relocations, complaints);
   read_into(table["max_restarts"], 0, settings.max_restarts, complaints);
   read_into(table["start"], kRelaxationStarts, settings.start, complaints);
@@ -171,16 +174,68 @@ void read_time_driven(const TableView& packing, TimeDrivenOptions& options,
   read_into(table["overlap_points"], 2, options.overlap_points, complaints);
 }
 
+Range at_least(double least, const std::string& text) {
+  return {
+      .text = "a number >= " + text, .lo = least, .hi = std::numeric_limits<double>::infinity()};
+}
+
+void read_advancing_layer(const TableView& packing, AdvancingLayerSettings& settings,
+                          Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "advancing-layer", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.advancing-layer",
+                        {"top_layer", "candidates", "held_back", "close_top", "max_restarts"},
+                        complaints);
+  read_into(table["top_layer"], at_least(2.0, "2"), settings.top_layer, complaints);
+  if (const Entry candidates = table["candidates"]) {
+    if (const auto value = read_integer(candidates, 1, complaints)) {
+      settings.candidates = static_cast<int>(std::min<std::int64_t>(*value, kMostCandidates));
+    }
+  }
+  if (const Entry held = table["held_back"]) {
+    settings.held_back = read_number(held, kShare, complaints);
+  }
+  read_into(table["close_top"], settings.close_top, complaints);
+  read_into(table["max_restarts"], 0, settings.max_restarts, complaints);
+}
+
+void read_drop_and_roll(const TableView& packing, DropAndRollSettings& settings,
+                        Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "drop-and-roll", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.drop-and-roll", {"drops"}, complaints);
+  const Entry drops = table["drops"];
+  if (!drops) return;
+  const auto value = read_integer(drops, 1, complaints);
+  if (value && *value > kMostDrops) complaints.not_allowed(drops, "an integer >= 1 and <= 10000");
+  if (value && *value <= kMostDrops) settings.drops = static_cast<int>(*value);
+}
+
+void read_published_layer(const TableView& packing, PublishedLayerSettings& settings,
+                          Complaints& complaints) {
+  const toml::table* const node = read_table(packing, "published-advancing-layer", complaints);
+  if (node == nullptr) return;
+  const TableView table(*node, "packing.published-advancing-layer", {"spacing", "top_layer"},
+                        complaints);
+  read_into(table["spacing"], {.text = "a number >= 0.01 and <= 1", .lo = 0.01, .hi = 1.0},
+            settings.spacing, complaints);
+  read_into(table["top_layer"], positive_number(), settings.top_layer, complaints);
+}
+
 }  // namespace
 
 void read_packing_table(const TableView& root, Recipe& order, Complaints& complaints) {
   const toml::table* const node = read_table(root, "packing", complaints);
   if (node == nullptr) return;
-  const TableView table(*node, "packing",
-                        {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven",
-                         "relaxation", "time-driven"},
-                        complaints);
-  read_into(table["method"], kMethods, order.method, complaints);
+  const TableView table(
+      *node, "packing",
+      {"method", "min_gap", "seed", "time_limit", "rsa", "event-driven", "relaxation",
+       "time-driven", "advancing-layer", "drop-and-roll", "published-advancing-layer"},
+      complaints);
+  if (const Entry method = table["method"]) {
+    read_into(method, kMethods, order.method, complaints);
+    order.places[method.name] = complaints.place(method.node) + ": " + quoted(method);
+  }
   if (const Entry gap = table["min_gap"]) {
     read_into(gap, not_negative_number(), order.min_gap, complaints);
     order.places[gap.name] = complaints.place(gap.node) + ": " + quoted(gap);
@@ -193,6 +248,9 @@ void read_packing_table(const TableView& root, Recipe& order, Complaints& compla
   read_event_driven(table, order.event_driven, complaints);
   read_relaxation(table, order.relaxation, complaints);
   read_time_driven(table, order.time_driven, complaints);
+  read_advancing_layer(table, order.advancing_layer, complaints);
+  read_drop_and_roll(table, order.drop_and_roll, complaints);
+  read_published_layer(table, order.published_advancing_layer, complaints);
 }
 
 }  // namespace packstone::recipe

@@ -209,6 +209,15 @@ Json time_driven_json(const TimeDrivenOptions& options) {
           {"overlap_points", options.overlap_points}};
 }
 
+Json advancing_layer_json(const AdvancingLayerSettings& settings) {
+  Json text{{"top_layer", settings.top_layer},
+            {"close_top", settings.close_top},
+            {"max_restarts", settings.max_restarts}};
+  if (settings.candidates) text["candidates"] = *settings.candidates;
+  if (settings.held_back) text["held_back"] = *settings.held_back;
+  return text;
+}
+
 Json packing_json(const Recipe& recipe) {
   Json text{{"method", std::string(name(recipe.method))},
             {"min_gap", recipe.min_gap},
@@ -218,6 +227,10 @@ Json packing_json(const Recipe& recipe) {
   text["event-driven"] = event_driven_json(recipe.event_driven);
   text["relaxation"] = relaxation_json(recipe.relaxation);
   text["time-driven"] = time_driven_json(recipe.time_driven);
+  text["advancing-layer"] = advancing_layer_json(recipe.advancing_layer);
+  text["drop-and-roll"] = {{"drops", recipe.drop_and_roll.drops}};
+  text["published-advancing-layer"] = {{"spacing", recipe.published_advancing_layer.spacing},
+                                       {"top_layer", recipe.published_advancing_layer.top_layer}};
   return text;
 }
 

@@ -6,37 +6,10 @@
 #include "packstone/geometry/measures.hpp"
 #include "recipe/compare_groups.hpp"
 #include "recipe/draw_mix.hpp"
+#include "recipe/open_supply.hpp"
 
 namespace packstone::recipe {
 namespace {
-
-// The bodies of the mix, then those of the open group, drawn in blocks.
-class Supply {
- public:
-  Supply(const Recipe& recipe, std::vector<OrderedBody> first, int open_group)
-      : recipe_(recipe), first_(std::move(first)), open_group_(open_group) {}
-
-  OrderedBody operator()(std::int64_t k) {
-    const auto fixed = static_cast<std::int64_t>(first_.size());
-    if (k < fixed) return first_[static_cast<std::size_t>(k)];
-    const std::int64_t block = (k - fixed) / kBlock;
-    if (block != block_) {
-      drawn_ = draw_open_group(recipe_.cell, recipe_.groups[static_cast<std::size_t>(open_group_)],
-                               open_group_, block * kBlock, kBlock, recipe_.seed);
-      block_ = block;
-    }
-    return drawn_[static_cast<std::size_t>((k - fixed) % kBlock)];
-  }
-
- private:
-  static constexpr std::int64_t kBlock = 1024;
-
-  const Recipe& recipe_;
-  std::vector<OrderedBody> first_;
-  int open_group_;
-  std::int64_t block_ = -1;
-  std::vector<OrderedBody> drawn_;
-};
 
 RsaResult place(const Recipe& recipe, const InclusionMix& mix, const RunContext& run) {
   const RsaOptions options = rsa_options(recipe);
@@ -51,8 +24,7 @@ RsaResult place(const Recipe& recipe, const InclusionMix& mix, const RunContext&
       return volume(a.body) > volume(b.body);
     });
   }
-  const int open_group = static_cast<int>(open - mix.open_count.begin());
-  Supply supply(recipe, std::move(first), open_group);
+  OpenSupply supply(recipe, std::move(first), 0);
   return rsa_fill(
       recipe.cell, [&supply](std::int64_t k) { return supply(k); }, options, run);
 }

@@ -36,6 +36,7 @@ enum class StreamId : std::uint64_t {
   relaxation_places = 14,
   drop_and_roll = 15,
   advancing_layer = 16,
+  constructive_order = 17,
 };
 
 /// The numbers of one (seed, stream, item, trial), drawn in sequence.

@@ -12,6 +12,7 @@
 #include "packstone/core/mat.hpp"
 #include "packstone/core/run_context.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/published_advancing_layer.hpp"
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/recipe/recipe.hpp"
@@ -71,9 +72,16 @@ struct TimeDrivenOutcome {
   std::vector<TimeDrivenSample> history;
 };
 
+/// What the published advancing layers leave.
+struct PublishedLayerOutcome {
+  TrueOverlaps overlaps;         ///< Of the true bodies.
+  std::int64_t first_row = 0;    ///< Bodies laid upon the floor.
+  std::int64_t pairs_tried = 0;  ///< Pairs of partners.
+};
+
 /// What is about to be done, and what to expect of it.
 struct PackPlan {
-  std::string method;         ///< "rsa", "event-driven", "relaxation", "time-driven".
+  std::string method;         ///< "rsa", "event-driven", ...: name(PackMethod).
   std::string method_reason;  ///< Why this method, for people.
   std::int64_t count = 0;     ///< Inclusions ordered, without those of groups of open count.
   double fraction = 0.0;      ///< Of those, each with half of the least gap around it [-].
@@ -96,7 +104,7 @@ struct PackOutcome {
   /// The inclusion that reaches farthest through a wall. Absent where none does. The pair that
   /// overlaps the most stands in the certificate.
   std::optional<WallCrossing> deepest_crossing;
-  std::string method;         ///< "rsa", "event-driven", "relaxation", "time-driven".
+  std::string method;         ///< "rsa", "event-driven", ...: name(PackMethod).
   std::string method_reason;  ///< Why this method, for people.
   PackPlan plan;              ///< As told before the work; empty after a checkpoint.
   std::string stop;           ///< Why it stopped: "target_reached", "saturated", "jammed", ...
@@ -110,8 +118,9 @@ struct PackOutcome {
   std::int64_t trials = 0;              ///< Positions tried, by methods that place inclusions.
   std::int64_t restarts = 0;            ///< Fresh starts.
   std::optional<MotionOutcome> motion;  ///< Of methods that move inclusions and let them grow.
-  std::optional<RelaxationOutcome> relaxation;   ///< Of relaxations.
-  std::optional<TimeDrivenOutcome> time_driven;  ///< Of the published relaxation.
+  std::optional<RelaxationOutcome> relaxation;           ///< Of relaxations.
+  std::optional<TimeDrivenOutcome> time_driven;          ///< Of the published relaxation.
+  std::optional<PublishedLayerOutcome> published_layer;  ///< Of the published advancing layers.
 };
 
 /// Makes the packing that `recipe` orders and checks it, independently of how it was made.

@@ -14,7 +14,10 @@
 #include <vector>
 
 #include "packstone/core/cell.hpp"
+#include "packstone/generate/advancing_layer.hpp"
+#include "packstone/generate/drop_and_roll.hpp"
 #include "packstone/generate/event_driven.hpp"
+#include "packstone/generate/published_advancing_layer.hpp"
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
 #include "packstone/generate/relaxed_growth.hpp"
@@ -26,14 +29,19 @@ namespace packstone {
 
 /// Who places the inclusions.
 enum class PackMethod {
-  automatic,     ///< pack() chooses and says which and why.
-  rsa,           ///< Random sequential adsorption, rsa.hpp.
-  event_driven,  ///< Molecular dynamics of bodies that collide and grow, event_driven.hpp.
-  relaxation,    ///< Bodies that overlap push each other apart, relaxation.hpp.
-  time_driven,   ///< The published relaxation, to compare with, published_time_driven.hpp.
+  automatic,        ///< pack() chooses and says which and why.
+  rsa,              ///< Random sequential adsorption, rsa.hpp.
+  event_driven,     ///< Molecular dynamics of bodies that collide and grow, event_driven.hpp.
+  relaxation,       ///< Bodies that overlap push each other apart, relaxation.hpp.
+  time_driven,      ///< The published relaxation, to compare with, published_time_driven.hpp.
+  advancing_layer,  ///< Each where it comes to lie lowest, advancing_layer.hpp.
+  drop_and_roll,    ///< Dropped and rolling, to compare with, drop_and_roll.hpp.
+  /// The published advancing layers, to compare with, published_advancing_layer.hpp.
+  published_advancing_layer,
 };
 
-/// "auto", "rsa", "event-driven", "relaxation", "time-driven": the word used in recipes.
+/// "auto", "rsa", "event-driven", "relaxation", "time-driven", "advancing-layer", "drop-and-roll",
+/// "published-advancing-layer": the word used in recipes.
 [[nodiscard]] std::string_view name(PackMethod method) noexcept;
 
 /// `[packing.rsa]`: the fields of RsaOptions that a recipe may set.
@@ -104,6 +112,26 @@ struct RelaxationSettings {
   double least_step = RelaxedGrowthOptions{}.least_step;  ///< goal = densest: in (0, first_step].
 };
 
+/// `[packing.advancing-layer]`: the fields of AdvancingLayerOptions that a recipe may set.
+struct AdvancingLayerSettings {
+  double top_layer = AdvancingLayerOptions{}.top_layer;  ///< >= 2.
+  std::optional<int> candidates = {};                    ///< >= 1.
+  std::optional<double> held_back = {};                  ///< In [0, 1].
+  bool close_top = AdvancingLayerOptions{}.close_top;
+  std::int64_t max_restarts = AdvancingLayerOptions{}.max_restarts;  ///< >= 0.
+};
+
+/// `[packing.drop-and-roll]`.
+struct DropAndRollSettings {
+  int drops = DropAndRollOptions{}.drops;  ///< In [1, 10000].
+};
+
+/// `[packing.published-advancing-layer]`.
+struct PublishedLayerSettings {
+  double spacing = PublishedLayerOptions{}.spacing;      ///< In [0.01, 1].
+  double top_layer = PublishedLayerOptions{}.top_layer;  ///< > 0.
+};
+
 /// Everything that a packing is made from. The same recipe and seed give the same packing.
 struct Recipe {
   std::string origin;  ///< The file it was read from; stands in messages. May be empty.
@@ -117,9 +145,13 @@ struct Recipe {
   EventDrivenSettings event_driven;
   RelaxationSettings relaxation;
   TimeDrivenOptions time_driven;  ///< `[packing.time-driven]`, its seed apart.
-  /// Where what was ordered stands, for messages: by key ("inclusions[0].count", "packing.min_gap")
-  /// the words "fibers.toml:7: inclusions[0].count = 20". The size of a group stands under
-  /// "inclusions[0].size", whichever key gives it. Empty for a recipe that was not read.
+  AdvancingLayerSettings advancing_layer;
+  DropAndRollSettings drop_and_roll;
+  PublishedLayerSettings published_advancing_layer;
+  /// Where what was ordered stands, for messages: by key ("inclusions[0].count", "packing.min_gap",
+  /// "packing.method") the words "fibers.toml:7: inclusions[0].count = 20". The size of a group
+  /// stands under "inclusions[0].size", whichever key gives it. Empty for a recipe that was not
+  /// read.
   std::map<std::string, std::string> places;
 };
 
