@@ -48,14 +48,12 @@ bool is_covered(const Packing& packing, const HierarchicalGrid& grid, const Vec3
 }  // namespace
 
 BodySource lognormal_balls(int dimension, double sigma, double ratio, std::uint64_t seed) {
-  return [=](std::int64_t k) {
-    return ball(dimension, lognormal_radius(sigma, ratio, seed, k));
-  };
+  return [=](std::int64_t k) { return ball(dimension, lognormal_radius(sigma, ratio, seed, k)); };
 }
 
 BodySource normal_balls(int dimension, double ratio, std::uint64_t seed) {
-  const Distribution law{NormalLaw{
-      .mean = 0.5 * (1.0 + ratio), .std = (ratio - 1.0) / 6.0, .min = 1.0, .max = ratio}};
+  const Distribution law{
+      NormalLaw{.mean = 0.5 * (1.0 + ratio), .std = (ratio - 1.0) / 6.0, .min = 1.0, .max = ratio}};
   return [=](std::int64_t k) {
     return ball(dimension, draw(law, 1, seed, StreamId::sizes, 0, 3, k).front());
   };
@@ -63,10 +61,8 @@ BodySource normal_balls(int dimension, double ratio, std::uint64_t seed) {
 
 BodySource bimodal_balls(int dimension, double ratio, std::uint64_t seed) {
   const auto mode = [&](double part) {
-    return Distribution{NormalLaw{.mean = 1.0 + part * (ratio - 1.0),
-                                  .std = 0.08 * (ratio - 1.0),
-                                  .min = 1.0,
-                                  .max = ratio}};
+    return Distribution{NormalLaw{
+        .mean = 1.0 + part * (ratio - 1.0), .std = 0.08 * (ratio - 1.0), .min = 1.0, .max = ratio}};
   };
   const Distribution law{MixtureLaw{.parts = {mode(0.25), mode(0.75)}, .weights = {1.0, 1.0}}};
   return [=](std::int64_t k) {
@@ -74,19 +70,26 @@ BodySource bimodal_balls(int dimension, double ratio, std::uint64_t seed) {
   };
 }
 
-BodySource uniform_ellipses(double aspect, double area_ratio, double deviation,
-                            std::uint64_t seed) {
-  constexpr double kPi = std::numbers::pi;
-  const double std = deviation * kPi / 180.0;
-  const Distribution turn{NormalLaw{.mean = 0.0, .std = std, .min = -0.5 * kPi, .max = 0.5 * kPi}};
+BodySource uniform_ellipses(double aspect, double area_ratio, std::uint64_t seed) {
   return [=](std::int64_t k) {
     RandomStream random(seed, StreamId::sizes, static_cast<std::uint64_t>(k));
     const double area = random.uniform(1.0, area_ratio);
-    const double b = std::sqrt(area / (kPi * aspect));
-    const double angle = deviation > 0.0
-                             ? draw(turn, 1, seed, StreamId::orientations, 0, 1, k).front()
-                             : random.uniform(0.0, kPi);
-    return OrderedBody{Ellipse{{aspect * b, b}, angle < 0.0 ? angle + kPi : angle}, 0};
+    const double b = std::sqrt(area / (std::numbers::pi * aspect));
+    return OrderedBody{Ellipse{{aspect * b, b}, random.uniform(0.0, std::numbers::pi)}, 0};
+  };
+}
+
+BodySource aligned_ellipses(double aspect, double area_ratio, double deviation,
+                            std::uint64_t seed) {
+  constexpr double kPi = std::numbers::pi;
+  const Distribution law{
+      NormalLaw{.mean = 0.0, .std = deviation * kPi / 180.0, .min = -0.5 * kPi, .max = 0.5 * kPi}};
+  const BodySource uniform = uniform_ellipses(aspect, area_ratio, seed);
+  return [=](std::int64_t k) {
+    OrderedBody ordered = uniform(k);
+    const double angle = draw(law, 1, seed, StreamId::orientations, 0, 1, k).front();
+    std::get<Ellipse>(ordered.body).angle = angle < 0.0 ? angle + kPi : angle;
+    return ordered;
   };
 }
 

@@ -22,9 +22,11 @@ namespace packstone::scenes {
 /// quarters of the range, each of deviation 0.08 of it.
 [[nodiscard]] BodySource bimodal_balls(int dimension, double ratio, std::uint64_t seed);
 
-/// Ellipses of aspect a / b = `aspect`, areas uniform in [1, area_ratio], turned uniformly, or by a
-/// normal law of this deviation within a half turn [degrees].
-[[nodiscard]] BodySource uniform_ellipses(double aspect, double area_ratio, double deviation,
+/// Ellipses of aspect a / b = `aspect`, areas uniform in [1, area_ratio], turned uniformly.
+[[nodiscard]] BodySource uniform_ellipses(double aspect, double area_ratio, std::uint64_t seed);
+
+/// The same, turned by a normal law about x, of this deviation within a half turn [degrees] > 0.
+[[nodiscard]] BodySource aligned_ellipses(double aspect, double area_ratio, double deviation,
                                           std::uint64_t seed);
 
 /// Prolate ellipsoids of this aspect turned uniformly, of unit size or log-normal sizes (sigma of

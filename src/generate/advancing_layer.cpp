@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "generate/advancing_layer/attempt.hpp"
@@ -59,27 +58,27 @@ ConstructiveResult result_of(const Cell& cell, const std::vector<OrderedBody>& b
   return result;
 }
 
-// The best of a few attempts; further ones only where little is missing.
-ConstructiveResult place_all(const Cell& cell, const std::vector<OrderedBody>& bodies,
-                             const Plan& plan, std::int64_t max_restarts, RunContext& run) {
-  constexpr double kHopeless = 0.005;  // volume over that of the cell
-  Placement best = attempt(cell, bodies, plan, 0, std::numeric_limits<double>::infinity(), run);
-  std::int64_t tests = best.tests;
-  std::int64_t restarts = 0;
-  while (best.missing > 0.0 && best.missing < kHopeless * volume(cell) &&
-         best.stop == StopRequest::none && restarts < max_restarts) {
-    ++restarts;
-    Placement next =
-        attempt(cell, bodies, plan, static_cast<std::uint64_t>(restarts), best.missing, run);
-    tests += next.tests;
-    const StopRequest stop = next.stop;
-    if (next.placed > best.placed) best = std::move(next);
-    best.stop = stop;
+// The first attempt that places all, or the last one.
+ConstructiveResult place_all(const Cell& cell, const std::vector<OrderedBody>& bodies, Plan plan,
+                             std::int64_t max_restarts, RunContext& run) {
+  constexpr double kMostHeld = 0.3;  // More was never denser.
+  std::int64_t tests = 0;
+  for (std::int64_t k = 0;; ++k) {
+    const bool is_last = k == max_restarts;
+    const Placement placed =
+        attempt(cell, bodies, plan, static_cast<std::uint64_t>(k), is_last, run);
+    tests += placed.tests;
+    const bool done = placed.missing == 0.0 || placed.hopeless || is_last;
+    if (!done && placed.stop == StopRequest::none) {
+      plan.held_back =
+          std::max(plan.held_back, std::min(kMostHeld, plan.held_back * plan.held_back_growth));
+      continue;
+    }
+    ConstructiveResult result = result_of(cell, bodies, placed);
+    result.tested = tests;
+    result.restarts = k;
+    return result;
   }
-  ConstructiveResult result = result_of(cell, bodies, best);
-  result.tested = tests;
-  result.restarts = restarts;
-  return result;
 }
 
 // The first bodies of a supply.

@@ -36,11 +36,11 @@ double largest_half_width(const std::vector<OrderedBody>& bodies) {
 class Run {
  public:
   Run(const Cell& cell, const std::vector<OrderedBody>& bodies, const Plan& plan,
-      std::uint64_t attempt, double worst_missing, RunContext& run)
+      std::uint64_t attempt, bool is_last, RunContext& run)
       : cell_(cell),
         bodies_(bodies),
         plan_(plan),
-        worst_missing_(worst_missing),
+        is_last_(is_last),
         run_(run),
         layer_depth_(plan.top_layer * largest_half_width(bodies)),
         layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt)),
@@ -89,7 +89,9 @@ class Run {
     std::vector<bool> is_held(bodies_.size(), false);
     for (const std::size_t k : last_) is_held[k] = true;
     for (const std::size_t k : order) {
-      if (!is_held[k]) first_.push_back(k);
+      if (is_held[k]) continue;
+      first_.push_back(k);
+      to_lay_ += volume(bodies_[k].body);
     }
   }
 
@@ -126,20 +128,29 @@ class Run {
   }
 
   bool go_on() {
-    if (placement_.missing > worst_missing_) return false;
+    if (placement_.missing > 0.0 && !is_last_ && !is_hopeless()) return false;
     placement_.stop = run_.stop_request();
     return placement_.stop == StopRequest::none;
+  }
+
+  // Asked when the first body has found no place: what then is still to come?
+  bool is_hopeless() {
+    constexpr double kMuch = 0.02;  // volume over that of the cell
+    if (placement_.hopeless) return true;
+    placement_.hopeless = to_lay_ - placement_.placed - placement_.missing > kMuch * volume(cell_);
+    return placement_.hopeless;
   }
 
   const Cell& cell_;
   const std::vector<OrderedBody>& bodies_;
   const Plan& plan_;
-  double worst_missing_;
+  bool is_last_;
   RunContext& run_;
   double layer_depth_;
   std::unique_ptr<Layer> layer_;
   RandomStream heights_;
   Order first_, last_;
+  double to_lay_ = 0.0;  // Volume of the bodies that are not held back.
   bool is_full_ = false;
   std::int64_t count_ = 0;
   Placement placement_;
@@ -152,21 +163,23 @@ Plan plan_for(const AdvancingLayerOptions& options, const std::vector<OrderedBod
   const bool round = std::all_of(bodies.begin(), bodies.end(),
                                  [](const OrderedBody& b) { return is_round(kind(b.body)); });
   constexpr int kForShapes = 60;
+  constexpr double kGrowth = 1.7;
   const int for_balls = static_cast<int>(std::clamp(1.2 / std::max(wide, 0.01), 2.0, 40.0));
-  const double held = std::clamp(0.7 * wide, 0.02, 0.35);
+  const double held = std::clamp(0.2 * wide, 0.02, 0.1);
   const int candidates = options.candidates.value_or(round ? for_balls : kForShapes);
   return {.min_gap = options.min_gap,
           .top_layer = options.top_layer,
           .candidates = candidates,
           .hole_candidates = round ? 1 : candidates,
           .held_back = options.close_top ? options.held_back.value_or(held) : 0.0,
+          .held_back_growth = options.held_back ? 1.0 : kGrowth,
           .close_top = options.close_top,
           .seed = options.seed};
 }
 
 Placement attempt(const Cell& cell, const std::vector<OrderedBody>& bodies, const Plan& plan,
-                  std::uint64_t attempt, double worst_missing, RunContext& run) {
-  return Run(cell, bodies, plan, attempt, worst_missing, run).run();
+                  std::uint64_t attempt, bool is_last, RunContext& run) {
+  return Run(cell, bodies, plan, attempt, is_last, run).run();
 }
 
 }  // namespace packstone::advancing_layer

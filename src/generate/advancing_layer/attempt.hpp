@@ -21,6 +21,7 @@ struct Plan {
   int candidates = 0;
   int hole_candidates = 0;  ///< The same for bodies that are held back.
   double held_back = 0.0;
+  double held_back_growth = 1.0;  ///< Factor on that from attempt to attempt.
   bool close_top = true;
   bool in_order = false;  ///< Bodies are placed in the order given.
   std::uint64_t seed = 0;
@@ -34,16 +35,18 @@ struct Placement {
   std::vector<std::optional<Vec3>> centers;  ///< By body.
   double placed = 0.0;                       ///< Volume of those that stand [L^3] ([L^2]).
   double missing = 0.0;                      ///< Of those that found no place.
+  bool hopeless = false;                     ///< Far more was ordered than there is room for.
   std::int64_t tests = 0;
   StopRequest stop = StopRequest::none;  ///< Then the rest was not tried.
 };
 
 /// Places `bodies` in a random order, the smallest last.
 ///
-/// @param attempt         Number of the attempt: keys the order.
-/// @param worst_missing   The attempt ends when more volume than that has found no place [L^3].
+/// @param attempt  Number of the attempt: keys the order.
+/// @param is_last  Whether to go on when one has found no place; others end there, unless it is
+///                 hopeless.
 [[nodiscard]] Placement attempt(const Cell& cell, const std::vector<OrderedBody>& bodies,
-                                const Plan& plan, std::uint64_t attempt, double worst_missing,
+                                const Plan& plan, std::uint64_t attempt, bool is_last,
                                 RunContext& run);
 
 }  // namespace packstone::advancing_layer

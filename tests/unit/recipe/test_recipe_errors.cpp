@@ -271,8 +271,8 @@ std::vector<Wrong> wrong_recipes() {
            "orientation = { planar = \"xy\" }\n",
        {"bad.toml:8: unknown key \"inclusions[0].orientation.planar\""}},
       {"a method there is not",
-       kFine + "[packing]\nmethod = \"drop-and-roll\"\n",
-       {"bad.toml:8: packing.method = \"drop-and-roll\"; allowed is one of \"auto\", \"rsa\", "
+       kFine + "[packing]\nmethod = \"pour\"\n",
+       {"bad.toml:8: packing.method = \"pour\"; allowed is one of \"auto\", \"rsa\", "
         "\"event-driven\""}},
       {"a negative gap",
        kFine + "[packing]\nmin_gap = -0.1\n",
