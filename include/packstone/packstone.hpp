@@ -47,3 +47,5 @@
 #include "packstone/structure/orientation_order.hpp"
 #include "packstone/structure/packing.hpp"
 #include "packstone/structure/standing.hpp"
+#include "packstone/structure/tessellation.hpp"
+#include "packstone/tessellate/power_diagram.hpp"
