@@ -32,6 +32,7 @@ SEAMS = {
     r"embree|cairo|png\.h": r"src/io/",
     r"CLI/": r"apps/",
     r"Random123/": r"src/core/random\.cpp",
+    r"Eigen/": r"src/tessellate/",
 }
 
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -48,4 +48,5 @@
 #include "packstone/structure/packing.hpp"
 #include "packstone/structure/standing.hpp"
 #include "packstone/structure/tessellation.hpp"
+#include "packstone/tessellate/laguerre.hpp"
 #include "packstone/tessellate/power_diagram.hpp"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "tessellate/laguerre/parts.hpp"
 #include "tessellate/laguerre/power_cells.hpp"
 #include "tessellate/laguerre/vertex_pool.hpp"
 
@@ -22,8 +22,8 @@ struct RawCorner {
 struct BlockFacets {
   std::vector<Facet> facets;
   std::vector<RawCorner> corners;
-  std::vector<std::pair<std::int32_t, std::int32_t>> joined;  // Sites of one owner that touch.
-  std::vector<std::int32_t> alive;                            // Sites with a cell.
+  std::vector<Joint> joints;
+  std::vector<std::int32_t> alive;  // Sites with a cell.
 };
 
 // Looks at the cells of one block.
@@ -59,7 +59,7 @@ class FacetWriter {
     facet.image = plane.image + site(i).home - site(plane.site).home;
     if (facet.outer != facet.inner) return facet.inner < facet.outer;
     if (facet.image != Image{}) return facet.image > Image{};
-    if (i < plane.site) out_.joined.emplace_back(i, plane.site);
+    if (i < plane.site) out_.joints.emplace_back(i, plane.site);
     return false;
   }
 
@@ -98,26 +98,14 @@ std::vector<BlockFacets> all_facets(const Cell& box, const std::vector<Site>& si
 // Connected parts of each owner.
 void count_parts(const std::vector<BlockFacets>& blocks, const std::vector<Site>& sites,
                  std::vector<TessellationCell>& cells) {
-  std::vector<std::int32_t> root(sites.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](std::int32_t i) {
-    while (root[static_cast<std::size_t>(i)] != i) {
-      std::int32_t& up = root[static_cast<std::size_t>(i)];
-      up = root[static_cast<std::size_t>(up)];
-      i = up;
-    }
-    return i;
-  };
+  DisjointSets sets(sites.size());
   for (TessellationCell& cell : cells) cell.parts = 0;
   for (const BlockFacets& block : blocks) {
-    for (const auto& [a, b] : block.joined) {
-      const std::int32_t i = find(a), j = find(b);
-      root[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
-    }
+    for (const auto& [a, b] : block.joints) sets.join(a, b);
   }
   for (const BlockFacets& block : blocks) {
     for (const std::int32_t i : block.alive) {
-      if (find(i) == i) {
+      if (sets.first(i) == i) {
         ++cells[static_cast<std::size_t>(sites[static_cast<std::size_t>(i)].owner)].parts;
       }
     }

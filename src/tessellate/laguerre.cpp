@@ -1,0 +1,235 @@
+#include "packstone/tessellate/laguerre.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "packstone/core/error.hpp"
+#include "packstone/geometry/inscribed_balls.hpp"
+#include "packstone/geometry/measures.hpp"
+#include "packstone/structure/images.hpp"
+#include "tessellate/laguerre/assembly.hpp"
+#include "tessellate/laguerre/errors.hpp"
+#include "tessellate/laguerre/grains.hpp"
+#include "tessellate/laguerre/shape_rounds.hpp"
+#include "tessellate/laguerre/transport.hpp"
+
+namespace packstone {
+namespace {
+
+using namespace laguerre;
+
+// In all rounds but the last, measures need not be better than this: the next one changes them.
+constexpr double kRoundTolerance = 0.03;
+constexpr int kRoundSteps = 3;
+
+// While sites are taken out, and how often that is done at most.
+constexpr double kLooseTolerance = 1e-3;
+constexpr int kMostLoosenings = 20;
+
+void check_range(bool good, const char* option, double value, const char* allowed) {
+  if (good) return;
+  throw InvalidArgument(std::string(option) + " is " + std::to_string(value) + "; allowed are " +
+                        allowed);
+}
+
+void check_input(const Packing& packing, const LaguerreOptions& o) {
+  check_range(o.spacing >= kLeastBallSpacing && o.spacing <= kMostBallSpacing, "spacing", o.spacing,
+              "numbers in [0.01, 1]");
+  check_range(o.measure_tolerance >= 1e-12 && o.measure_tolerance <= 1.0, "measure_tolerance",
+              o.measure_tolerance, "numbers in [1e-12, 1]");
+  check_range(o.max_newton_steps >= 1, "max_newton_steps", o.max_newton_steps, "numbers >= 1");
+  check_range(o.shape_rounds >= 0, "shape_rounds", o.shape_rounds, "numbers >= 0");
+  check_range(o.shape_gain > 0.0 && o.shape_gain < 2.0, "shape_gain", o.shape_gain,
+              "numbers in (0, 2)");
+  check_range(o.center_gain >= 0.0 && o.center_gain <= 1.0, "center_gain", o.center_gain,
+              "numbers in [0, 1]");
+  check_well_formed(packing);
+  check_images(packing);
+  if (packing.inclusions.empty()) throw InvalidArgument("the packing has no inclusion");
+}
+
+std::vector<TessellationCell> cells_of(const Packing& packing) {
+  std::vector<TessellationCell> cells;
+  for (const Inclusion& inclusion : packing.inclusions) {
+    cells.push_back({inclusion.center, inclusion.group, 1});
+  }
+  return cells;
+}
+
+// A tessellation on its way.
+class Tessellator {
+ public:
+  Tessellator(const Packing& packing, const LaguerreOptions& options, RunContext run)
+      : packing_(packing), box_(packing.cell), options_(options), run_(std::move(run)) {}
+
+  LaguerreResult make() {
+    publish();
+    const double factor =
+        options_.inflate ? std::pow(fraction(packing_), -1.0 / box_.dimension) : 1.0;
+    grains_ = grains_of(packing_, factor);
+    sites_ = sites_of(box_, grains_, options_.spacing);
+    if (options_.ordered_measures || options_.shape_rounds > 0) {
+      set_targets();
+      shape();
+      settle();
+    }
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  // What the published method would have made, to compare with; with walls also which cells count.
+  void publish() {
+    const std::vector<Site> sites = sites_of(box_, grains_of(packing_, 1.0), options_.spacing);
+    const Tessellation tessellation = assemble(box_, sites, cells_of(packing_), run_.threads());
+    counts_.assign(packing_.inclusions.size(), 1);
+    for (const Facet& facet : tessellation.facets) {
+      if (facet.outer == Facet::kWall) counts_[static_cast<std::size_t>(facet.inner)] = 0;
+    }
+    if (std::none_of(counts_.begin(), counts_.end(), [](char c) { return c != 0; })) {
+      counts_.assign(counts_.size(), 1);
+    }
+    result_.report.published =
+        errors_of(packing_, cell_shapes(tessellation), tessellation.cells, counts_);
+  }
+
+  // Proportional to what is ordered, for all cells or for all that touch no wall now.
+  void set_targets() {
+    std::vector<char> kept(grains_.size(), 0);
+    CellSums sums;
+    if (options_.keep_wall_cells && !fully_periodic()) {
+      sums = cell_sums(box_, sites_, centers_of(grains_), run_.threads());
+      kept = sums.at_wall;
+      for (std::size_t g = 0; g < kept.size(); ++g) {
+        // One without a cell has no measure to keep.
+        if (sums.cells[g].measure <= 0.0) kept[g] = 0;
+      }
+    }
+    double ordered = 0.0, left = volume(box_);
+    targets_.resize(grains_.size());
+    for (std::size_t g = 0; g < grains_.size(); ++g) {
+      targets_[g] = kept[g] != 0 ? sums.cells[g].measure : volume(grains_[g].body);
+      (kept[g] != 0 ? left : ordered) += kept[g] != 0 ? -targets_[g] : targets_[g];
+    }
+    for (std::size_t g = 0; g < grains_.size(); ++g) {
+      if (kept[g] == 0) targets_[g] *= left / ordered;
+    }
+  }
+
+  [[nodiscard]] bool fully_periodic() const {
+    for (std::size_t a = 0; a < static_cast<std::size_t>(box_.dimension); ++a) {
+      if (!box_.periodic[a]) return false;
+    }
+    return true;
+  }
+
+  void shape() {
+    const Order order = order_of(box_.dimension, grains_);
+    std::vector<SymMat3> drawn = order.log_shapes;
+    for (int round = 0; round < options_.shape_rounds; ++round) {
+      if (stop_asked()) return;
+      run_.report(
+          {.stage = "shaping cells", .done = static_cast<double>(round) / options_.shape_rounds});
+      fit(options_.ordered_measures ? kRoundTolerance : 1e300, kRoundSteps);
+      correct_shapes(box_.dimension, sums_, order, options_, drawn, grains_);
+      sites_ = sites_of(box_, grains_, options_.spacing);
+      ++result_.report.shape_rounds;
+    }
+  }
+
+  // The last weights. Without the sites whose cells lie apart others take their place, and may come
+  // apart in turn, ever fewer.
+  void settle() {
+    if (!options_.ordered_measures) return;
+    if (options_.connected) {
+      fit(kLooseTolerance, options_.max_newton_steps);
+      for (int k = 0; k < kMostLoosenings && sums_.loose_sites > 0 && !stop_asked(); ++k) {
+        drop_loose();
+        fit(kLooseTolerance, options_.max_newton_steps);
+      }
+    }
+    fit(options_.measure_tolerance, options_.max_newton_steps);
+    if (!reached_) stop_with(LaguerreStop::stalled);
+  }
+
+  void drop_loose() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      if (sums_.loose[i] == 0) sites_[kept++] = sites_[i];
+    }
+    sites_.resize(kept);
+  }
+
+  // Weights for the measures ordered; keeps them with the grains for sites made anew.
+  void fit(double tolerance, int steps) {
+    if (stop_asked()) return;
+    std::vector<double> before(grains_.size());
+    for (const Site& site : sites_) before[static_cast<std::size_t>(site.owner)] = site.weight;
+    TransportOutcome outcome = transport(box_, sites_, centers_of(grains_), targets_,
+                                         {.tolerance = tolerance, .max_steps = steps}, run_);
+    std::vector<double> after(grains_.size());
+    for (const Site& site : sites_) after[static_cast<std::size_t>(site.owner)] = site.weight;
+    for (std::size_t g = 0; g < grains_.size(); ++g) grains_[g].weight += after[g] - before[g];
+    result_.report.newton_steps += outcome.steps;
+    result_.report.diagrams += outcome.evaluations;
+    reached_ = outcome.reached;
+    sums_ = std::move(outcome.sums);
+    stop_asked();
+  }
+
+  bool stop_asked() {
+    const StopRequest asked = run_.stop_request();
+    if (asked == StopRequest::cancelled) stop_with(LaguerreStop::cancelled);
+    if (asked == StopRequest::out_of_time) stop_with(LaguerreStop::out_of_time);
+    return asked != StopRequest::none;
+  }
+
+  // The first reason counts.
+  void stop_with(LaguerreStop stop) {
+    if (result_.stop == LaguerreStop::finished) result_.stop = stop;
+  }
+
+  void finish() {
+    result_.tessellation = assemble(box_, sites_, cells_of(packing_), run_.threads());
+    result_.shapes = cell_shapes(result_.tessellation);
+    LaguerreReport& report = result_.report;
+    report.sites = static_cast<std::int64_t>(sites_.size());
+    report.hidden_sites = sums_.hidden;
+    report.made = errors_of(packing_, result_.shapes, result_.tessellation.cells, counts_);
+  }
+
+  const Packing& packing_;
+  const Cell& box_;
+  const LaguerreOptions& options_;
+  RunContext run_;
+  LaguerreResult result_;
+  std::vector<char> counts_;  // Of each cell: whether it counts in errors.
+  std::vector<Grain> grains_;
+  std::vector<Site> sites_;
+  std::vector<double> targets_;
+  CellSums sums_;
+  bool reached_ = false;
+};
+
+}  // namespace
+
+LaguerreResult laguerre_tessellate(const Packing& packing, const LaguerreOptions& options,
+                                   RunContext run) {
+  check_input(packing, options);
+  return Tessellator(packing, options, std::move(run)).make();
+}
+
+double angle_between_shapes(int dimension, const CellShape& a, const CellShape& b) noexcept {
+  const Vec3& s = a.semi_axes;
+  const bool flat = dimension == 3 && s.y * s.y > s.x * s.z;
+  const Vec3 &u = flat ? a.axes.col_z : a.axes.col_x, &v = flat ? b.axes.col_z : b.axes.col_x;
+  return std::atan2(norm(cross(u, v)), std::abs(dot(u, v)));
+}
+
+CellShape shape_of_body(const Body& body) noexcept {
+  return shape_of_moments(dimension(kind(body)), volume(body), {}, second_moment(body));
+}
+
+}  // namespace packstone
