@@ -18,7 +18,12 @@
 namespace packstone {
 namespace {
 
-using namespace laguerre;
+using laguerre::CellMoments;
+using laguerre::CellSums;
+using laguerre::Grain;
+using laguerre::Order;
+using laguerre::Site;
+using laguerre::TransportOutcome;
 
 // In all rounds but the last, measures need not be better than this: the next one changes them.
 constexpr double kRoundTolerance = 0.03;
@@ -65,34 +70,59 @@ class Tessellator {
       : packing_(packing), box_(packing.cell), options_(options), run_(std::move(run)) {}
 
   LaguerreResult make() {
-    publish();
+    const bool moves = options_.ordered_measures || options_.shape_rounds > 0;
+    const bool published = !options_.inflate && !moves;
+    if (!published) publish();
     const double factor =
         options_.inflate ? std::pow(fraction(packing_), -1.0 / box_.dimension) : 1.0;
-    grains_ = grains_of(packing_, factor);
-    sites_ = sites_of(box_, grains_, options_.spacing);
-    if (options_.ordered_measures || options_.shape_rounds > 0) {
+    grains_ = laguerre::grains_of(packing_, factor);
+    sites_ = laguerre::sites_of(box_, grains_, options_.spacing);
+    if (moves) {
       set_targets();
       shape();
       settle();
     }
     finish();
+    if (published) result_.report.published = result_.report.made;
     return std::move(result_);
   }
 
  private:
-  // What the published method would have made, to compare with; with walls also which cells count.
+  // What the published method makes, to compare with; with walls also which cells count.
   void publish() {
-    const std::vector<Site> sites = sites_of(box_, grains_of(packing_, 1.0), options_.spacing);
-    const Tessellation tessellation = assemble(box_, sites, cells_of(packing_), run_.threads());
-    counts_.assign(packing_.inclusions.size(), 1);
-    for (const Facet& facet : tessellation.facets) {
-      if (facet.outer == Facet::kWall) counts_[static_cast<std::size_t>(facet.inner)] = 0;
-    }
+    const std::vector<Grain> grains = laguerre::grains_of(packing_, 1.0);
+    const std::vector<Vec3> centers = laguerre::centers_of(grains);
+    const CellSums sums = laguerre::cell_sums(
+        box_, laguerre::sites_of(box_, grains, options_.spacing), centers, run_.threads());
+    count_all_but(sums.at_wall);
+    std::vector<CellShape> shapes;
+    for (const CellMoments& cell : sums.cells) shapes.push_back(shape_of(cell));
+    result_.report.published = laguerre::errors_of(packing_, shapes, sums.parts, counts_);
+  }
+
+  // Where all touch walls all count.
+  void count_all_but(const std::vector<char>& at_wall) {
+    counts_.clear();
+    for (const char touches : at_wall) counts_.push_back(touches == 0 ? 1 : 0);
     if (std::none_of(counts_.begin(), counts_.end(), [](char c) { return c != 0; })) {
-      counts_.assign(counts_.size(), 1);
+      counts_.assign(at_wall.size(), 1);
     }
-    result_.report.published =
-        errors_of(packing_, cell_shapes(tessellation), tessellation.cells, counts_);
+  }
+
+  [[nodiscard]] std::vector<char> cells_at_walls() const {
+    std::vector<char> at_wall(packing_.inclusions.size(), 0);
+    for (const Facet& facet : result_.tessellation.facets) {
+      if (facet.outer == Facet::kWall) at_wall[static_cast<std::size_t>(facet.inner)] = 1;
+    }
+    return at_wall;
+  }
+
+  // Where it stands does not matter here.
+  [[nodiscard]] CellShape shape_of(const CellMoments& cell) const {
+    if (cell.measure <= 0.0) return {};
+    const Vec3 mean = cell.first / cell.measure;
+    return shape_of_moments(box_.dimension, cell.measure, mean,
+                            cell.second - cell.measure * dyad(mean));
   }
 
   // Proportional to what is ordered, for all cells or for all that touch no wall now.
@@ -100,7 +130,7 @@ class Tessellator {
     std::vector<char> kept(grains_.size(), 0);
     CellSums sums;
     if (options_.keep_wall_cells && !fully_periodic()) {
-      sums = cell_sums(box_, sites_, centers_of(grains_), run_.threads());
+      sums = laguerre::cell_sums(box_, sites_, laguerre::centers_of(grains_), run_.threads());
       kept = sums.at_wall;
       for (std::size_t g = 0; g < kept.size(); ++g) {
         // One without a cell has no measure to keep.
@@ -126,15 +156,15 @@ class Tessellator {
   }
 
   void shape() {
-    const Order order = order_of(box_.dimension, grains_);
+    const Order order = laguerre::order_of(box_.dimension, grains_);
     std::vector<SymMat3> drawn = order.log_shapes;
     for (int round = 0; round < options_.shape_rounds; ++round) {
       if (stop_asked()) return;
       run_.report(
           {.stage = "shaping cells", .done = static_cast<double>(round) / options_.shape_rounds});
       fit(options_.ordered_measures ? kRoundTolerance : 1e300, kRoundSteps);
-      correct_shapes(box_.dimension, sums_, order, options_, drawn, grains_);
-      sites_ = sites_of(box_, grains_, options_.spacing);
+      laguerre::correct_shapes(box_.dimension, sums_, order, options_, drawn, grains_);
+      sites_ = laguerre::sites_of(box_, grains_, options_.spacing);
       ++result_.report.shape_rounds;
     }
   }
@@ -167,8 +197,9 @@ class Tessellator {
     if (stop_asked()) return;
     std::vector<double> before(grains_.size());
     for (const Site& site : sites_) before[static_cast<std::size_t>(site.owner)] = site.weight;
-    TransportOutcome outcome = transport(box_, sites_, centers_of(grains_), targets_,
-                                         {.tolerance = tolerance, .max_steps = steps}, run_);
+    TransportOutcome outcome =
+        laguerre::transport(box_, sites_, laguerre::centers_of(grains_), targets_,
+                            {.tolerance = tolerance, .max_steps = steps}, run_);
     std::vector<double> after(grains_.size());
     for (const Site& site : sites_) after[static_cast<std::size_t>(site.owner)] = site.weight;
     for (std::size_t g = 0; g < grains_.size(); ++g) grains_[g].weight += after[g] - before[g];
@@ -192,12 +223,15 @@ class Tessellator {
   }
 
   void finish() {
-    result_.tessellation = assemble(box_, sites_, cells_of(packing_), run_.threads());
+    result_.tessellation = laguerre::assemble(box_, sites_, cells_of(packing_), run_.threads());
     result_.shapes = cell_shapes(result_.tessellation);
     LaguerreReport& report = result_.report;
     report.sites = static_cast<std::int64_t>(sites_.size());
     report.hidden_sites = sums_.hidden;
-    report.made = errors_of(packing_, result_.shapes, result_.tessellation.cells, counts_);
+    std::vector<int> parts;
+    for (const TessellationCell& cell : result_.tessellation.cells) parts.push_back(cell.parts);
+    if (counts_.empty()) count_all_but(cells_at_walls());
+    report.made = laguerre::errors_of(packing_, result_.shapes, parts, counts_);
   }
 
   const Packing& packing_;

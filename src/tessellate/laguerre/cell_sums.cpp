@@ -89,14 +89,19 @@ CellSums cell_sums(const Cell& box, const std::vector<Site>& sites,
   const auto largest = largest_parts(sites, moments, centers.size(), sets);
   sums.cells.resize(centers.size());
   sums.bodies.resize(centers.size());
+  sums.parts.assign(centers.size(), 0);
   sums.loose.assign(sites.size(), 0);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const auto owner = static_cast<std::size_t>(sites[i].owner);
     const Vec3 offset = sites[i].at + image_shift(box, sites[i].home) - centers[owner];
     add_moved(sums.cells[owner], *moments[i], offset);
+    const std::int32_t first = sets.first(static_cast<std::int32_t>(i));
     if (moments[i]->measure <= 0.0) {
       ++sums.hidden;
-    } else if (sets.first(static_cast<std::int32_t>(i)) == largest[owner]) {
+      continue;
+    }
+    sums.parts[owner] += first == static_cast<std::int32_t>(i) ? 1 : 0;
+    if (first == largest[owner]) {
       add_moved(sums.bodies[owner], *moments[i], offset);
     } else {
       sums.loose[i] = 1;

@@ -27,6 +27,7 @@ struct Coupling {
 struct CellSums {
   std::vector<CellMoments> cells;   ///< About the reference points that were given.
   std::vector<CellMoments> bodies;  ///< The same of the largest connected part of each cell.
+  std::vector<int> parts;           ///< Connected parts of each cell.
   std::vector<char> loose;          ///< Of each site: has a cell, but not in that part.
   std::vector<Coupling> couplings;  ///< Some pairs come more than once.
   std::vector<char> at_wall;        ///< Of each owner: whether its cell touches a wall.

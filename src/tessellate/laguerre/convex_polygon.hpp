@@ -37,18 +37,18 @@ class ConvexPolygon {
       beyond_[k] = corners_[k].at.x * to.x + corners_[k].at.y * to.y - half;
       if (beyond_[k] > beyond_[most]) most = k;
     }
+    if (n == 0 || beyond_[most] <= 0.0) return false;
     const double touching = kTouching * std::sqrt(radius_sq_ * norm_sq(to));
-    if (n == 0 || beyond_[most] <= touching) return false;
-    const auto out = [&](std::size_t k) { return beyond_[k] > touching; };
-    std::size_t begin = most, count = 1;  // The corners that go: `count` from `begin`.
-    while (count < n && out((begin + n - 1) % n)) begin = (begin + n - 1) % n, ++count;
-    while (count < n && out((begin + count) % n)) ++count;
+    if (beyond_[most] <= touching) return false;
+    std::size_t first = most, last = most, count = 1;  // The corners that go, `count` of them.
+    while (count < n && beyond_[before(first)] > touching) first = before(first), ++count;
+    while (count < n && beyond_[after(last)] > touching) last = after(last), ++count;
     if (count == n) {
       corners_.clear();
       radius_sq_ = 0.0;
       return true;
     }
-    replace(begin, count, plane);
+    replace(first, last, n - count, plane);
     measure_radius();
     return true;
   }
@@ -61,12 +61,10 @@ class ConvexPolygon {
   /// Calls visit(plane, points) for each edge; the polygon lies to the left of its two points.
   template <class Visit>
   void for_facets(Visit&& visit) const {
-    const std::size_t n = corners_.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      const Corner &before = corners_[(k + n - 1) % n], &here = corners_[k],
-                   &after = corners_[(k + 1) % n];
-      const std::array<FacetPoint, 2> points = {{{here.at, {before.plane, here.plane, kNoPlane}},
-                                                 {after.at, {here.plane, after.plane, kNoPlane}}}};
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      const Corner &prior = corners_[before(k)], &here = corners_[k], &next = corners_[after(k)];
+      const std::array<FacetPoint, 2> points = {{{here.at, {prior.plane, here.plane, kNoPlane}},
+                                                 {next.at, {here.plane, next.plane, kNoPlane}}}};
       visit(here.plane, std::span<const FacetPoint>(points));
     }
   }
@@ -77,16 +75,20 @@ class ConvexPolygon {
     std::int32_t plane = 0;  // Of the edge from here to the next corner.
   };
 
-  void replace(std::size_t begin, std::size_t count, std::int32_t plane) {
-    const std::size_t n = corners_.size();
-    const std::size_t before = (begin + n - 1) % n, last = (begin + count - 1) % n,
-                      after = (begin + count) % n;
-    const Vec3 first = crossing(before, begin);
-    const Corner second{crossing(after, last), corners_[last].plane};
-    kept_.clear();
-    for (std::size_t k = 0; k < n - count; ++k) kept_.push_back(corners_[(after + k) % n]);
-    kept_.push_back({first, plane});
-    kept_.push_back(second);
+  [[nodiscard]] std::size_t before(std::size_t k) const {
+    return k > 0 ? k - 1 : corners_.size() - 1;
+  }
+  [[nodiscard]] std::size_t after(std::size_t k) const {
+    return k + 1 < corners_.size() ? k + 1 : 0;
+  }
+
+  void replace(std::size_t first, std::size_t last, std::size_t stay, std::int32_t plane) {
+    const Corner entry{crossing(before(first), first), plane};
+    const Corner exit{crossing(after(last), last), corners_[last].plane};
+    kept_.resize(stay + 2);
+    for (std::size_t m = 0, k = after(last); m < stay; ++m, k = after(k)) kept_[m] = corners_[k];
+    kept_[stay] = entry;
+    kept_[stay + 1] = exit;
     std::swap(corners_, kept_);
   }
 

@@ -29,8 +29,7 @@ MeanAndSpread mean_and_spread(const std::vector<double>& values) {
 
 double percentile_95(std::vector<double> values) {
   if (values.empty()) return 0.0;
-  const auto at = values.begin() +
-                  static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1) + 0.5);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 95 / 100);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -63,8 +62,7 @@ Ratios ratios_of(const Packing& packing, const std::vector<CellShape>& shapes,
 }  // namespace
 
 LaguerreErrors errors_of(const Packing& packing, const std::vector<CellShape>& shapes,
-                         const std::vector<TessellationCell>& cells,
-                         const std::vector<char>& counts) {
+                         const std::vector<int>& parts, const std::vector<char>& counts) {
   const Ratios ratios = ratios_of(packing, shapes, counts);
   LaguerreErrors errors;
   errors.cells = static_cast<std::int64_t>(ratios.measures.size());
@@ -79,10 +77,9 @@ LaguerreErrors errors_of(const Packing& packing, const std::vector<CellShape>& s
   }
   errors.angle_mean = mean_and_spread(ratios.angles).mean;
   errors.angle_p95 = percentile_95(ratios.angles);
-  for (const TessellationCell& cell : cells) {
-    errors.empty += cell.parts == 0 ? 1 : 0;
-    errors.in_parts += cell.parts > 1 ? 1 : 0;
-  }
+  errors.empty = std::count(parts.begin(), parts.end(), 0);
+  errors.in_parts = static_cast<std::int64_t>(parts.size()) - errors.empty -
+                    std::count(parts.begin(), parts.end(), 1);
   return errors;
 }
 

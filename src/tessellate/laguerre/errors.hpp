@@ -11,9 +11,10 @@
 
 namespace packstone::laguerre {
 
+/// @param parts   Of each cell: how many connected parts it has.
 /// @param counts  Of each cell: whether it counts; see LaguerreErrors.
 [[nodiscard]] LaguerreErrors errors_of(const Packing& packing, const std::vector<CellShape>& shapes,
-                                       const std::vector<TessellationCell>& cells,
+                                       const std::vector<int>& parts,
                                        const std::vector<char>& counts);
 
 }  // namespace packstone::laguerre

@@ -94,33 +94,34 @@ class PowerCell {
     // The plane stands at twice / (2 |to|) from the site.
     if (twice > 0.0 && twice * twice >= 4.0 * distance_sq * shape_.radius_sq()) return;
     if (distance_sq == 0.0) return meet_same_place(other, image, twice);
-    const double distance = Shape::kSortsCuts ? twice / std::sqrt(distance_sq) : 0.0;
-    candidates_.push_back({distance, 0.5 * twice, {other.site, image, to}});
-    if (!Shape::kSortsCuts) cut_met();
+    const Plane plane{other.site, image, to};
+    if constexpr (Shape::kSortsCuts) {
+      candidates_.push_back({twice / std::sqrt(distance_sq), 0.5 * twice, plane});
+    } else {
+      cut(plane, 0.5 * twice);
+    }
   }
 
   // Of sites in one place the heaviest has the cell, of equal ones the first.
   void meet_same_place(const SiteGrid::Entry& other, const Image& image, double twice) {
     if (other.site == self_ || twice > 0.0 || (twice == 0.0 && other.site > self_)) return;
-    candidates_.push_back({-SiteGrid::kFar, -1.0, {other.site, image, {}}});
+    cut({other.site, image, {}}, -1.0);
+  }
+
+  void cut(const Plane& plane, double half) {
+    if (shape_.cut(plane.to, half, static_cast<std::int32_t>(planes_.size()))) {
+      planes_.push_back(plane);
+    }
   }
 
   // Near planes first, as they leave little for the others to cut.
-  void sort_met() {
+  void cut_met() {
     std::sort(candidates_.begin(), candidates_.end(),
               [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-  }
-
-  void cut_met() {
-    if (Shape::kSortsCuts) sort_met();
     for (const Candidate& candidate : candidates_) {
-      if (shape_.empty()) break;
       const double beyond = candidate.distance;
       if (beyond > 0.0 && beyond * beyond >= 4.0 * shape_.radius_sq()) break;
-      if (shape_.cut(candidate.plane.to, candidate.half,
-                     static_cast<std::int32_t>(planes_.size()))) {
-        planes_.push_back(candidate.plane);
-      }
+      cut(candidate.plane, candidate.half);
     }
     candidates_.clear();
   }

@@ -173,7 +173,8 @@ TEST_CASE("every shape in space can be tessellated") {
     packing.inclusions.push_back({center, bodies[k % 4], 0});
   }
   for (const int rounds : {0, 2}) {
-    const LaguerreResult result = laguerre_tessellate(packing, {.shape_rounds = rounds});
+    const LaguerreResult result =
+        laguerre_tessellate(packing, {.spacing = 0.8, .shape_rounds = rounds});
     CHECK(result.stop == LaguerreStop::finished);
     CHECK_NOTHROW(check_well_formed(result.tessellation));
     CHECK(result.report.made.largest_measure_error < 1e-8);
@@ -253,9 +254,10 @@ TEST_CASE("log_shape and body_of_log_shape are each other's inverse") {
 }
 
 TEST_CASE("laguerre_tessellate gives the same bits for any number of threads") {
-  for (const Packing& packing : {ellipses(20, 3.0), scenes::jostled_ellipsoids(300, 0.4, 3)}) {
+  for (const Packing& packing : {ellipses(20, 3.0), scenes::jostled_ellipsoids(60, 0.4, 3)}) {
     const auto make = [&](int threads) {
-      return laguerre_tessellate(packing, {.shape_rounds = 1}, RunContext{}.threads(threads));
+      return laguerre_tessellate(packing, {.spacing = 0.8, .shape_rounds = 1},
+                                 RunContext{}.threads(threads));
     };
     const LaguerreResult one = make(1), two = make(2);
     CHECK(one.tessellation.vertices == two.tessellation.vertices);
