@@ -40,9 +40,9 @@ struct InclusionGroup {
   std::optional<double> fraction;     ///< Volume of the group over that of the cell [-], in (0, 1).
   SizeMeasure measure = SizeMeasure::relative;
   Distribution size;  ///< Law of `measure`; values > 0. May count volume.
-  /// Ellipsoid: a/b and a/c. Ellipse: a/b. Cylinder, spherocylinder: length / diameter (of the
-  /// straight part). Drawn for each inclusion; values > 0. Unused for sphere and disk. May count
-  /// volume for cylinders of constant radius, whose volume grows with it.
+  /// Ellipsoid: a/b and a/c. Ellipse: a/b, values >= 1. Cylinder, spherocylinder: length / diameter
+  /// (of the straight part). Drawn for each inclusion; values > 0. Unused for sphere and disk. May
+  /// count volume for cylinders of constant radius, whose volume grows with it.
   Distribution aspect;
   Distribution aspect_second;
   /// Ellipsoid: `aspect` gives a/b and a/c alike, one value for both (needle above 1, lens below);

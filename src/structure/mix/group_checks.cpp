@@ -25,6 +25,17 @@ bool aspect_is_volume(const InclusionGroup& group) {
          is_constant(group.size);
 }
 
+// In the plane orientations say how the longer axis lies, so an aspect below 1 would only swap the
+// two, and hide a law that was meant otherwise.
+void check_ellipse_aspect(const Distribution& law) {
+  const double least = support_of(law, 1).min;
+  if (least >= 1.0) return;
+  throw InvalidArgument("aspect can be as small as " + number_text(least) +
+                        ", allowed of ellipses are values >= 1, the longer over the shorter "
+                        "semi-axis" +
+                        (is_constant(law) ? "" : "; give the law a min >= 1"));
+}
+
 void check_aspect_law(const Distribution& law, const std::string& what, bool may_count_volume) {
   check_positive_law(law, what, 1);
   if (law.by == Weighting::volume && !may_count_volume) {
@@ -81,6 +92,7 @@ void check_sizes(const Named& named) {
   if (is_round(group.shape)) return;
   for_field(named, GroupField::aspect, [&] {
     check_aspect_law(group.aspect, "aspect", aspect_is_volume(group));
+    if (group.shape == ShapeKind::ellipse) check_ellipse_aspect(group.aspect);
     if (!has_second_aspect(group)) return;
     check_aspect_law(group.aspect_second, "aspect (second of the pair)", false);
   });
