@@ -24,6 +24,7 @@
 #include "packstone/geometry/body.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/box_contact.hpp"
+#include "packstone/geometry/clipped_volume.hpp"
 #include "packstone/geometry/contact.hpp"
 #include "packstone/geometry/inscribed_balls.hpp"
 #include "packstone/geometry/measures.hpp"
