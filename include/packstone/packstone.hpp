@@ -35,6 +35,7 @@
 #include "packstone/io/export_packing.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "packstone/io/witness_file.hpp"
+#include "packstone/measure/density.hpp"
 #include "packstone/recipe/pack.hpp"
 #include "packstone/recipe/recipe.hpp"
 #include "packstone/spatial/hierarchical_grid.hpp"
