@@ -134,13 +134,37 @@ SlicedBody sliced_ellipsoid(const Ellipsoid& body, const Vec3& half) {
   return sliced;
 }
 
+// Where along its axis the part of a rod in a box is.
+struct AxisRange {
+  double from;
+  double to;
+};
+
+// The sides that end the range still cut the rod, since it is thicker than its axis.
+AxisRange range_along(const Vec3& axis, double half_length, const Vec3& lo, const Vec3& hi,
+                      const Vec3& half) {
+  constexpr double kFlat = 1e-9;
+  AxisRange range{-half_length, half_length};
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (std::abs(axis[a]) < kFlat) continue;
+    const double width = half[a] - half_length * std::abs(axis[a]);
+    const double low = (lo[a] - width) / axis[a], high = (hi[a] + width) / axis[a];
+    range.from = std::max(range.from, std::min(low, high));
+    range.to = std::min(range.to, std::max(low, high));
+  }
+  return range;
+}
+
 double cylinder_in_box(const Cylinder& body, const Vec3& lo, const Vec3& hi) {
   SlicedBody sliced;
   sliced.axis = body.axis;
   sliced.radius = body.radius;
   sliced.half_extents = half_extents(Body{body});
-  sliced.ends = {HalfSpace{body.axis, body.half_length}, HalfSpace{-body.axis, body.half_length}};
-  sliced.end_count = 2;
+  const double h = body.half_length;
+  const AxisRange range = range_along(body.axis, h, lo, hi, sliced.half_extents);
+  if (range.from > range.to) return 0.0;
+  if (range.to >= h) sliced.ends[sliced.end_count++] = {body.axis, h};
+  if (range.from <= -h) sliced.ends[sliced.end_count++] = {-body.axis, h};
   return sliced_volume(sliced, lo, hi);
 }
 
@@ -157,6 +181,37 @@ double spherocylinder_in_box(const Spherocylinder& body, const Vec3& lo, const V
   return cylinder_in_box({body.radius, body.half_length, body.axis}, lo, hi) +
          half_ball_in_box(body.radius, body.axis, lo - end, hi - end) +
          half_ball_in_box(body.radius, -body.axis, lo + end, hi + end);
+}
+
+struct Box {
+  Vec3 lo;
+  Vec3 hi;
+};
+
+// Box about the part of the body in another one.
+Box box_along(const Vec3& axis, double half_length, const Vec3& lo, const Vec3& hi,
+              const Vec3& half) {
+  const AxisRange range = range_along(axis, half_length, lo, hi, half);
+  if (range.from > range.to) return {half, -half};
+  const Vec3 begin = range.from * axis, end = range.to * axis;
+  Box box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double width = half[a] - half_length * std::abs(axis[a]);
+    box.lo[a] = std::min(begin[a], end[a]) - width;
+    box.hi[a] = std::max(begin[a], end[a]) + width;
+  }
+  return box;
+}
+
+// A box that holds the part of the body in the box from `lo` to `hi`.
+Box box_of_part(const Body& body, const Vec3& lo, const Vec3& hi, const Vec3& half) {
+  if (const auto* rod = std::get_if<Cylinder>(&body)) {
+    return box_along(rod->axis, rod->half_length, lo, hi, half);
+  }
+  if (const auto* rod = std::get_if<Spherocylinder>(&body)) {
+    return box_along(rod->axis, rod->half_length, lo, hi, half);
+  }
+  return {-half, half};
 }
 
 double part_in_box(const Body& body, const Vec3& lo, const Vec3& hi, const Vec3& half) {
@@ -189,12 +244,16 @@ double volume_below(const Body& body, std::size_t axis, double height) noexcept 
 }
 
 double volume_in_box(const Body& body, const Vec3& lo, const Vec3& hi) noexcept {
-  const Vec3 half = half_extents(body);
   const auto axes = static_cast<std::size_t>(dimension(kind(body)));
+  const Vec3 half = half_extents(body);
+  const Box held = box_of_part(body, lo, hi, half);
+  Box box{-half, half};
   std::size_t cuts = 0, cut_axis = 0;
   for (std::size_t a = 0; a < axes; ++a) {
-    if (lo[a] >= hi[a] || lo[a] >= half[a] || hi[a] <= -half[a]) return 0.0;
-    if (lo[a] <= -half[a] && hi[a] >= half[a]) continue;
+    if (lo[a] >= hi[a] || lo[a] >= held.hi[a] || hi[a] <= held.lo[a]) return 0.0;
+    if (lo[a] <= held.lo[a] && hi[a] >= held.hi[a]) continue;
+    box.lo[a] = std::max(lo[a], -half[a]);
+    box.hi[a] = std::min(hi[a], half[a]);
     ++cuts;
     cut_axis = a;
   }
@@ -202,12 +261,7 @@ double volume_in_box(const Body& body, const Vec3& lo, const Vec3& hi) noexcept 
   if (cuts == 1) {
     return volume_below(body, cut_axis, hi[cut_axis]) - volume_below(body, cut_axis, lo[cut_axis]);
   }
-  Vec3 from, to;
-  for (std::size_t a = 0; a < axes; ++a) {
-    from[a] = std::max(lo[a], -half[a]);
-    to[a] = std::min(hi[a], half[a]);
-  }
-  return std::clamp(part_in_box(body, from, to, half), 0.0, volume(body));
+  return std::clamp(part_in_box(body, box.lo, box.hi, half), 0.0, volume(body));
 }
 
 }  // namespace packstone
