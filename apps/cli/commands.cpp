@@ -13,10 +13,11 @@ std::string check_time(const std::string& text) {
              : text + "; allowed is a time > 0 such as \"30 s\", \"10 min\", \"1.5 h\"";
 }
 
-std::string check_gap(const std::string& text) {
-  double gap = 0.0;
-  const bool number = CLI::detail::lexical_cast(text, gap);
-  return number && gap >= 0.0 && std::isfinite(gap) ? "" : text + "; allowed is a number >= 0";
+std::string check_number(const std::string& text, bool zero_is_allowed) {
+  double x = 0.0;
+  const bool number = CLI::detail::lexical_cast(text, x) && std::isfinite(x);
+  if (number && (x > 0.0 || (x == 0.0 && zero_is_allowed))) return "";
+  return text + "; allowed is a number " + (zero_is_allowed ? ">= 0" : "> 0");
 }
 
 }  // namespace
@@ -40,7 +41,15 @@ void add_time_limit(CLI::App& command, std::string& limit) {
 void add_min_gap(CLI::App& command, double& gap) {
   command.add_option("--min-gap", gap, "Least gap between any two [0]")
       ->type_name("G")
-      ->check(CLI::Validator(check_gap, ""));
+      ->check(number_at_least_zero());
+}
+
+CLI::Validator number_at_least_zero() {
+  return {[](const std::string& text) { return check_number(text, true); }, ""};
+}
+
+CLI::Validator number_above_zero() {
+  return {[](const std::string& text) { return check_number(text, false); }, ""};
 }
 
 }  // namespace packstone::cli

@@ -23,9 +23,14 @@ void add_threads(CLI::App& command, int& threads);
 void add_time_limit(CLI::App& command, std::string& limit);
 void add_min_gap(CLI::App& command, double& gap);
 
+/// Refuse what is no finite number >= 0, or > 0.
+[[nodiscard]] CLI::Validator number_at_least_zero();
+[[nodiscard]] CLI::Validator number_above_zero();
+
 void add_pack(CLI::App& app, int& exit_code);
 void add_relax(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_measure(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_new(CLI::App& app, int& exit_code);

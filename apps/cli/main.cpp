@@ -84,6 +84,7 @@ int run(int argc, char** argv) {
   cli::add_pack(app, exit_code);
   cli::add_relax(app, exit_code);
   cli::add_check(app, exit_code);
+  cli::add_measure(app, exit_code);
   cli::add_draw(app, exit_code);
   cli::add_export(app, exit_code);
   try {

@@ -5,7 +5,7 @@ import unittest
 
 from cli_case import ENDLESS, EXAMPLES, Case
 
-COMMANDS = ["new", "pack", "relax", "check", "draw", "export"]
+COMMANDS = ["new", "pack", "relax", "check", "measure", "draw", "export"]
 
 
 class Usage(Case):
@@ -52,10 +52,11 @@ class Usage(Case):
             self.assertIn(words, done.stderr)
         for arguments in [("draw", "missing.json", "-o", "/proc/p.png"),
                           ("export", "missing.json", "-o", "/proc/p.vtu"),
-                          ("check", "missing.json", "--witness", "/proc/w.csv")]:
+                          ("check", "missing.json", "--witness", "/proc/w.csv"),
+                          ("measure", "missing.json", "-o", "/proc/r.json")]:
             done = self.run_program(*arguments, code=2)
             self.assertIn(arguments[-1] + ": cannot be written", done.stderr)
-        for command, output in [("draw", "p.bmp"), ("export", "p.obj")]:
+        for command, output in [("draw", "p.bmp"), ("export", "p.obj"), ("measure", "r.csv")]:
             done = self.run_program(command, "missing.json", "-o", output, code=2)
             self.assertIn("unknown ending", done.stderr)
 

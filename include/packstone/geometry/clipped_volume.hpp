@@ -41,6 +41,10 @@ namespace packstone {
 /// (3) the difference loses digits where an axis is all but parallel to the plane; see the tests.
 inline constexpr double kVolumeBelowError = 1e-10;
 
+/// Bound on the error of either in the plane, over the area of the body [-]: rounding of (2) and of
+/// sums over four sides.
+inline constexpr double kClippedAreaError = 1e-13;
+
 /// Bound on the error of volume_in_box() over the volume of the body [-]. In space measured, not
 /// proven: the worst of 10^5 random bodies of aspects up to 100 err by less than half of it.
 inline constexpr double kVolumeInBoxError = 1e-8;
@@ -57,7 +61,7 @@ inline constexpr double kVolumeInBoxError = 1e-8;
 /// relative to its center; sides may be at infinity, z means nothing in 2D. 0 for an empty box.
 ///
 /// Properties: exactly volume(body) where the box holds the bounding box; the parts in boxes that
-/// fill another one add up to that in it, within kVolumeInBoxError.
+/// fill another one add up to that in it, within kVolumeInBoxError (kClippedAreaError).
 /// Cost:       as volume_below() where the box cuts across one axis; otherwise up to 1 us in the
 ///             plane, some 5 to 100 us in space.
 [[nodiscard]] double volume_in_box(const Body& body, const Vec3& lo, const Vec3& hi) noexcept;

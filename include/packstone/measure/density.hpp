@@ -60,8 +60,8 @@ struct Window {
 /// A fraction in a window.
 struct WindowFraction {
   double value = 0.0;  ///< Volume of the bodies in the window over that of the window [-].
-  /// Bound on the error of value [-]: that of the parts of bodies (kVolumeBelowError,
-  /// kVolumeInBoxError), and rounding. Says nothing about how other packings of the kind scatter.
+  /// Bound on the error of value [-]: that of the parts of bodies (clipped_volume.hpp), and
+  /// rounding. Says nothing about how other packings of the kind scatter.
   double error = 0.0;
 
   friend bool operator==(const WindowFraction&, const WindowFraction&) = default;

@@ -74,10 +74,15 @@ class WindowSum {
       cuts += lo[a] > -half[a] || hi[a] < half[a] ? 1 : 0;
     }
     covered.volume.add(volume_in_box(body, lo, hi));
+    covered.error.add(volume(body) * relative_error(cuts));
+  }
+
+  // Of what a body has in a window that cuts it across so many axes.
+  [[nodiscard]] double relative_error(int cuts) const {
     constexpr double kRounding = 8 * kUnitRoundoff;
-    covered.error.add(volume(body) * (cuts == 0   ? kRounding
-                                      : cuts == 1 ? kVolumeBelowError
-                                                  : kVolumeInBoxError));
+    if (cuts == 0) return kRounding;
+    if (cell_.dimension == 2) return kClippedAreaError;
+    return cuts == 1 ? kVolumeBelowError : kVolumeInBoxError;
   }
 
   const Cell& cell_;

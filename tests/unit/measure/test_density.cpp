@@ -7,10 +7,12 @@
 #include <numbers>
 #include <string>
 
+#include "constructive_scenes.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/structure/standing.hpp"
+#include "scenes.hpp"
 #include "support/oracle.hpp"
 #include "support/random_body.hpp"
 
@@ -256,6 +258,22 @@ TEST_CASE("the fraction in a window against random points") {
       CHECK(measured.error < 1e-6);
     }
   }
+}
+
+TEST_CASE("the interior of a dense packing against random points, found by a neighbor search") {
+  Packing packing = scenes::jostled_ellipsoids(4000, 0.5, 1);
+  packing.cell.periodic = {true, false, false};
+  std::erase_if(packing.inclusions, [&](const Inclusion& inclusion) {
+    const double reach = half_extents(inclusion.body).z;
+    return inclusion.center.z < reach || inclusion.center.z + reach > 1.0;
+  });
+  const double margin = 2.0 * circum_radius(packing.inclusions.front().body);
+  const DensityReport report = measure_density(packing);
+  REQUIRE(report.interior);
+  // 2^18 points: deviation 0.001.
+  CHECK(report.interior->fraction.value ==
+        Approx(scenes::interior_fraction(packing, margin)).margin(0.004));
+  CHECK(report.interior->fraction.value == Approx(0.5).margin(0.01));
 }
 
 TEST_CASE("windows that fill another one add up to it") {
