@@ -49,6 +49,7 @@ constexpr std::array kMeasures{Measure{"density", take_density}};
 
 std::vector<std::string> measure_names() {
   std::vector<std::string> names;
+  names.reserve(kMeasures.size());
   for (const Measure& measure : kMeasures) names.emplace_back(measure.name);
   return names;
 }

@@ -148,6 +148,6 @@ struct DensityReport {
 /// Errors:     throws InvalidArgument if the packing is not well formed, or the window is empty,
 ///             not finite, reaches through a wall or is longer than a period; or as above.
 [[nodiscard]] WindowFraction fraction_in_window(const Packing& packing, const Window& window,
-                                                RunContext run = {});
+                                                const RunContext& run = {});
 
 }  // namespace packstone
