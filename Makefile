@@ -4,7 +4,7 @@ BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
 DEMO := fibers spheres ellipses_2d dense_ellipsoids relaxed_fibers
 
-.PHONY: help setup setup-test build demo test validate bench build-reproduce reproduce reproduce-ghossein reproduce-salnikov pictures format check-format layers tidy sanitize tsan fuzz coverage install clean
+.PHONY: help setup setup-test build demo test validate bench build-reproduce reproduce reproduce-ghossein reproduce-salnikov reproduce-ilin pictures format check-format layers tidy sanitize tsan fuzz coverage install clean
 
 help:  ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -42,13 +42,16 @@ build-reproduce:
 	cmake --preset release -DPACKSTONE_BUILD_BENCHMARKS=ON $(CMAKE_FLAGS)
 	cmake --build --preset release -j $(BUILD_JOBS) --target $(REPRODUCE_TARGETS)
 
-reproduce: reproduce-ghossein reproduce-salnikov  ## Measure what papers report; writes docs/reproduction/ (half an hour)
+reproduce: reproduce-ghossein reproduce-salnikov reproduce-ilin  ## Measure what papers report; writes docs/reproduction/ (an hour)
 
 reproduce-ghossein: build-reproduce  ## Only Ghossein and Levesque (2013)
 	/usr/bin/python3 tools/reproduce_ghossein_levesque --build build
 
 reproduce-salnikov: build-reproduce  ## Only Salnikov et al. (2014): tables, figures, pairs (five minutes)
 	/usr/bin/python3 tools/reproduce_salnikov --build build
+
+reproduce-ilin: build-reproduce  ## Only Ilin and Bernacki (2016): constructive packings and their cells (a quarter of an hour)
+	/usr/bin/python3 tools/reproduce_ilin --build build
 
 pictures: build-reproduce  ## Draw docs/algorithms/relaxation_gallery.md anew
 	/usr/bin/python3 tools/show_relaxation --build build

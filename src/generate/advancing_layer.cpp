@@ -129,6 +129,8 @@ ConstructiveResult fill_open(const Cell& cell, Prefix& prefix, const AdvancingLa
 ConstructiveResult fill_closed(const Cell& cell, Prefix& prefix,
                                const AdvancingLayerOptions& options, RunContext& run) {
   constexpr int kMostRuns = 8;
+  // A single order that fails says little, and more restarts hold back more.
+  constexpr std::int64_t kFewRestarts = 1;
   constexpr double kNarrow = 1e-3;
   constexpr double kStep = 0.01;
   // Volume of the supply over that of the cell: what all fits, and what does not.
@@ -140,7 +142,8 @@ ConstructiveResult fill_closed(const Cell& cell, Prefix& prefix,
   std::int64_t tested = 0;
   for (int k = 0; k < kMostRuns && fails - fits > kNarrow; ++k) {
     const std::vector<OrderedBody> bodies = prefix.of_volume(next * volume(cell));
-    ConstructiveResult result = place_all(cell, bodies, plan_for(options, bodies), 0, run);
+    ConstructiveResult result = place_all(cell, bodies, plan_for(options, bodies),
+                                          std::min(kFewRestarts, options.max_restarts), run);
     tested += result.tested;
     const double placed = fraction(result.packing);
     const ConstructiveStop stop = result.stop;
