@@ -62,7 +62,8 @@ class Pockets {
         largest_(expected.largest),
         slack_(contact_slack(cell, expected.largest)),
         apart_(min_gap + slack_),
-        levels_(cell, expected.smallest, expected.largest, expected.count),
+        levels_(cell, std::max(expected.smallest, kFinest * expected.typical), expected.largest,
+                expected.count),
         queue_(cell.size[kUp], kBin * expected.typical, expected.smallest) {}
 
   /// A ball that stands; its center lies in the cell.
@@ -147,6 +148,8 @@ class Pockets {
 
  private:
   using Blocked = std::conditional_t<D == 2, ContactArcs, ContactCaps>;
+  // Radius of the finest grid over the typical one: finer grids have hardly a ball in a cell.
+  static constexpr double kFinest = 0.8;
   // Height of a bin of anchors over the typical radius.
   static constexpr double kBin = 0.15;
   // Part of the slack that rounding of positions may take.
@@ -209,13 +212,14 @@ class Pockets {
     rho = levels_.radius(anchor) + radius + apart_;
     if (!block_walls(center, radius, rho)) return false;
     const double keep = radius + apart_;
+    const double half_per_rho = 0.5 / rho;
     return levels_.near(center, rho + keep, [&](std::int32_t ball, const Vec3& r, double other) {
       const double s = keep + other;
       const double d_sq = norm_sq(r);
       if (d_sq >= (rho + s) * (rho + s)) return true;
       if (ball == anchor && d_sq == 0.0) return true;
-      const double d = std::sqrt(d_sq);
-      return blocked_.block(r / d, (rho * rho + d_sq - s * s) / (2.0 * rho * d));
+      const double per_d = 1.0 / std::sqrt(d_sq);
+      return blocked_.block(per_d * r, (rho * rho + d_sq - s * s) * (half_per_rho * per_d));
     });
   }
 
