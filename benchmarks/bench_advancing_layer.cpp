@@ -5,7 +5,8 @@
 // LAW: lognormal:DIM:SIGMA:RATIO  normal:DIM:RATIO  bimodal:DIM:RATIO  equal:DIM
 //      ellipses:ASPECT:AREA_RATIO[:STD_DEGREES]  ellipsoids:ASPECT[:SIGMA]
 // FRACTION: the list of COUNT bodies fills the cell so far; with fill=F the cell has room for COUNT
-//      bodies at F and is filled. Keys: held_back, candidates, top_layer, periodic, restarts, fill.
+//      bodies at F and is filled. Keys: held_back, candidates, top_layer, periodic, restarts, fill,
+//      threads.
 //
 // Times are processor times of the call alone; densities and times are medians over the seeds.
 
@@ -143,6 +144,8 @@ int main(int argc, char** argv) {
   }
   if (keys.count("close_top") != 0) options.close_top = keys["close_top"] != 0.0;
   const bool fill = keys["fill"] != 0.0;
+  RunContext run;
+  if (keys.count("threads") != 0) run.threads(static_cast<int>(keys["threads"]));
   Table table;
   for (int seed = 1; seed <= seeds; ++seed) {
     const auto key = static_cast<std::uint64_t>(seed);
@@ -156,8 +159,8 @@ int main(int argc, char** argv) {
     ConstructiveResult result =
         fill ? advancing_layer_fill(
                    cell, [&](std::int64_t k) { return bodies[static_cast<std::size_t>(k)]; },
-                   options)
-             : advancing_layer_pack(cell, bodies, options);
+                   options, run)
+             : advancing_layer_pack(cell, bodies, options, run);
     add(table, result, processor_seconds() - before);
   }
   const auto [least, most] = std::minmax_element(table.whole.begin(), table.whole.end());

@@ -43,7 +43,7 @@ class Run {
         is_last_(is_last),
         run_(run),
         layer_depth_(plan.top_layer * largest_half_width(bodies)),
-        layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt)),
+        layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt, run.threads())),
         heights_(plan.seed, StreamId::advancing_layer, kHeightItem, attempt) {
     placement_.centers.resize(bodies.size());
     split_order(RandomStream(plan.seed, StreamId::advancing_layer, kOrderItem, attempt));

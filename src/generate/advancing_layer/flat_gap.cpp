@@ -9,8 +9,8 @@ namespace {
 // An ellipse along one direction.
 struct Outline {
   double support;
-  Vec2 point;       // Where the tangent across the direction touches.
-  double curvature; // Radius of curvature there.
+  Vec2 point;        // Where the tangent across the direction touches.
+  double curvature;  // Radius of curvature there.
 };
 
 Outline outline(const PosedBody& body, const Vec2& d) {

@@ -9,8 +9,8 @@
 namespace packstone::advancing_layer {
 
 /// A direction from a to b that is nearly right wherever they stand: the normal of the ellipses
-/// about both centers that touch where they are grown by one factor, if that were the same for both;
-/// (A + B)^-1 r with the matrices of the squared support functions. Unit.
+/// about both centers that touch where they are grown by one factor, if that were the same for
+/// both; (A + B)^-1 r with the matrices of the squared support functions. Unit.
 [[nodiscard]] Vec3 first_direction(const PosedBody& a, const PosedBody& b, const Vec3& r);
 
 /// A lower bound on the gap of a and b [L], r from center to center: g(d) of contact.hpp at the

@@ -40,6 +40,8 @@ struct PocketSearch {
   double radius = 0.0;  ///< Of the ball [L].
   double from = 0.0;    ///< Height of the tops of anchors from which to look upward [L].
   int most = 1;         ///< Anchors with a place after which the search ends.
+  /// Keep what is found: worth it where the same radius is looked for time and again.
+  bool remember = false;
 };
 
 /// What keeps contacts proven apart after rounding, where the largest body has the radius `largest`
@@ -73,6 +75,7 @@ class Pockets {
     top_ = std::max(top_, std::min(top, cell_.size[kUp]));
     queue_.add(ball, top);
     failures_.push_back(0);
+    known_.push_back({});
   }
 
   /// Height of the highest top [L].
@@ -106,7 +109,8 @@ class Pockets {
     found.clear();
     queue_.walk(search.from, search.radius, [&](std::int32_t anchor, double& limit) {
       Pocket pocket{{}, anchor};
-      if (lowest(anchor, search.radius, pocket.center)) {
+      if (search.remember ? lowest_known(anchor, search.radius, pocket.center)
+                          : lowest(anchor, search.radius, pocket.center)) {
         found.push_back(pocket);
         return static_cast<int>(found.size()) < search.most;
       }
@@ -163,6 +167,19 @@ class Pockets {
     std::uint8_t& failures = failures_[static_cast<std::size_t>(anchor)];
     if (failures < std::numeric_limits<std::uint8_t>::max()) ++failures;
     return failures > 1;
+  }
+
+  // The place found last, while it is clear: balls that have come since take places away, and what
+  // they add is hardly ever lower.
+  bool lowest_known(std::int32_t anchor, double radius, Vec3& place) {
+    Known& known = known_[static_cast<std::size_t>(anchor)];
+    if (known.radius == radius && is_clear(wrapped(cell_, known.center), radius)) {
+      place = known.center;
+      return true;
+    }
+    const bool found = lowest(anchor, radius, place);
+    known = {place, found ? radius : 0.0};
+    return found;
   }
 
   bool lowest(std::int32_t anchor, double radius, Vec3& place) {
@@ -245,7 +262,12 @@ class Pockets {
   BallLevels<D> levels_;
   AnchorQueue queue_;
   Blocked blocked_;
+  struct Known {
+    Vec3 center;
+    double radius = 0.0;  // 0: none.
+  };
   std::vector<std::uint8_t> failures_;
+  std::vector<Known> known_;  // The lowest place found last, by anchor.
   double top_ = 0.0;
   bool floor_ = true;
   std::int64_t tests_ = 0;

@@ -9,9 +9,31 @@
 #include "packstone/geometry/bounds.hpp"
 
 namespace packstone::advancing_layer {
+namespace {
+
+// A body is lowered by steps of this part of its reach at most along each axis ...
+constexpr double kStep = 0.4;
+// ... past neighbors within this many steps, more than the diagonal of their box is long; they are
+// gathered from somewhat farther off.
+constexpr double kNear = 1.75;
+constexpr double kAhead = 2.2;
+
+bool is_capsule(Form form) { return form == Form::ball || form == Form::spherocylinder; }
+
+// As solid_gap(), of any bodies.
+double any_gap(const PosedBody& a, const PosedBody& b, const Vec3& r, double limit, Vec3& d) {
+  // Of these the direction is told only where the gap is below the limit, and costs nothing.
+  if (is_capsule(a.form) && is_capsule(b.form)) limit = std::numeric_limits<double>::infinity();
+  LocalGap found;
+  local_gap(a, b, r, limit, d, found);
+  return found.value;
+}
+
+}  // namespace
 
 Mover::Mover(const Body& shape)
     : body(posed_body(shape)),
+      solid(is_ellipsoid(body.form) ? SolidEllipsoid(body) : SolidEllipsoid{}),
       half_extents(packstone::half_extents(shape)),
       thickness(in_radius(shape)),
       reach(std::max({half_extents.x, half_extents.y, half_extents.z})) {}
@@ -26,9 +48,9 @@ Settling<D>::Settling(const Cell& cell, double min_gap, double slack, std::int64
 template <int D>
 void Settling<D>::add(const Mover& mover, const Vec3& center) {
   grid_.insert(static_cast<std::int32_t>(bodies_.size()), center, mover.half_extents);
-  PosedBody body = mover.body;
-  body.pose.center = center;
-  bodies_.push_back(body);
+  Standing standing{mover.body, mover.solid};
+  standing.body.pose.center = center;
+  bodies_.push_back(standing);
 }
 
 template <int D>
@@ -37,36 +59,57 @@ void Settling<D>::gather(const Mover& mover, const Vec3& center, double reach,
   std::swap(work.neighbors, work.before);
   work.neighbors.clear();
   grid_.query(center, mover.half_extents, reach, [&](std::int32_t id, const auto& image) {
-    const Vec3 there = bodies_[static_cast<std::size_t>(id)].pose.center + image_shift(cell_, image);
     const auto same = std::find_if(work.before.begin(), work.before.end(), [&](const Neighbor& n) {
       return n.id == id && n.image == image;
     });
-    const Vec3 d = same == work.before.end() ? Vec3{} : same->d;
-    work.neighbors.push_back({id, image, there, d, 0.0, false});
+    if (same != work.before.end()) {
+      work.neighbors.push_back(*same);
+      return true;
+    }
+    const Vec3& home = bodies_[static_cast<std::size_t>(id)].body.pose.center;
+    work.neighbors.push_back({id, image, home + image_shift(cell_, image), {}, 0.0});
     return true;
   });
   work.before.clear();
 }
 
+// Turns the half-space of a neighbor toward the best one, until it leaves more than `limit`;
+// returns what it leaves.
 template <int D>
-void Settling<D>::look_at(const Mover& mover, const Vec3& center, Neighbor& neighbor, double limit,
-                          Care care) const {
-  const PosedBody& other = bodies_[static_cast<std::size_t>(neighbor.id)];
+double Settling<D>::turn(const Mover& mover, const Vec3& center, Neighbor& neighbor, double limit,
+                         int most_steps) const {
+  const Standing& other = bodies_[static_cast<std::size_t>(neighbor.id)];
   const Vec3 r = neighbor.center - center;
   const double keep = min_gap_ + slack_;
+  const bool is_new = neighbor.d == Vec3{};
+  double gap = 0.0;
   if constexpr (D == 2) {
-    constexpr int kToTheEnd = 20;
-    constexpr int kFollowing = 2;
-    const bool anew = neighbor.d == Vec3{} || care == Care::thorough;
-    if (anew) neighbor.d = first_direction(mover.body, other, r);
-    const int steps = anew ? kToTheEnd : kFollowing;
-    neighbor.room = flat_gap(mover.body, other, r, limit + keep, steps, neighbor.d) - keep;
-    neighbor.is_near = neighbor.room <= limit;
+    if (is_new) neighbor.d = first_direction(mover.body, other.body, r);
+    gap = flat_gap(mover.body, other.body, r, limit + keep, most_steps, neighbor.d);
+  } else if (is_ellipsoid(mover.body.form) && is_ellipsoid(other.body.form)) {
+    if (is_new) neighbor.d = first_direction(mover.solid, other.solid, r);
+    gap = solid_gap(mover.solid, other.solid, r, limit + keep, most_steps, neighbor.d);
   } else {
-    LocalGap found;
-    neighbor.is_near = local_gap(mover.body, other, r, limit + keep, neighbor.d, found);
-    neighbor.room = found.value - keep;
+    gap = any_gap(mover.body, other.body, r, limit + keep, neighbor.d);
   }
+  neighbor.beyond = gap - keep + dot(neighbor.d, center);
+  return gap - keep;
+}
+
+// How far the mover may go toward a neighbor; looked at more closely where it is near, to the end
+// where it would overlap otherwise.
+template <int D>
+double Settling<D>::room(const Mover& mover, const Vec3& center, Neighbor& neighbor) const {
+  constexpr double kClose = 0.05;  // over the reach
+  constexpr int kFollowing = 1;
+  constexpr int kToTheEnd = 20;
+  const bool is_new = neighbor.d == Vec3{};
+  double left =
+      is_new ? turn(mover, center, neighbor, 0.0, 0) : neighbor.beyond - dot(neighbor.d, center);
+  const double close = kClose * mover.reach;
+  if (left < close) left = turn(mover, center, neighbor, close, kFollowing);
+  if (left < 0.0) left = turn(mover, center, neighbor, 0.0, kToTheEnd);
+  return left;
 }
 
 template <int D>
@@ -88,34 +131,54 @@ void Settling<D>::for_walls(const Mover& mover, const Vec3& center, Visit&& visi
   }
 }
 
-// The sides within `limit`; returns the least room.
+// Gathers neighbors anew unless all within `limit` are known.
 template <int D>
-double Settling<D>::measure(const Mover& mover, const Vec3& center, double limit, Care care,
+void Settling<D>::keep_near(const Mover& mover, const Vec3& center, double limit,
                             Workspace& work) const {
+  if (norm(center - work.gathered) + limit <= work.reach) return;
+  const double ahead = kAhead * kStep * mover.reach;
+  gather(mover, center, ahead, work);
+  work.gathered = center;
+  work.reach = ahead;
+}
+
+// The sides that a step may meet, the nearest first; returns the least room.
+template <int D>
+double Settling<D>::measure(const Mover& mover, const Vec3& center, Workspace& work) const {
+  const double limit = kNear * kStep * mover.reach;
+  keep_near(mover, center, limit, work);
   work.sides.clear();
-  double least = std::numeric_limits<double>::infinity();
   const auto put = [&](const HalfSpace& side) {
-    least = std::min(least, side.reach);
     if (side.reach <= limit) work.sides.push_back(side);
   };
   for_walls(mover, center, put);
   for (Neighbor& neighbor : work.neighbors) {
-    look_at(mover, center, neighbor, limit, care);
-    if (neighbor.is_near) put({neighbor.d, neighbor.room});
+    const double left = room(mover, center, neighbor);
+    put({neighbor.d, left});
   }
-  return least;
+  std::sort(work.sides.begin(), work.sides.end(),
+            [](const HalfSpace& a, const HalfSpace& b) { return a.reach < b.reach; });
+  return work.sides.empty() ? std::numeric_limits<double>::infinity() : work.sides.front().reach;
 }
 
 template <int D>
-bool Settling<D>::push_out(const Mover& mover, Vec3& center, Workspace& work,
-                           int most_rounds) const {
+auto Settling<D>::settle(const Mover& mover, Vec3& center, double known, Workspace& work) const
+    -> Outcome {
+  // Half-spaces are those of one mover.
+  work.neighbors.clear();
+  work.reach = -1.0;
+  if (!push_out(mover, center, work)) return Outcome::overlaps;
+  return drop(mover, center, known, work);
+}
+
+template <int D>
+bool Settling<D>::push_out(const Mover& mover, Vec3& center, Workspace& work) const {
   constexpr double kHopeless = 1.2;  // depth over the thickness
-  constexpr double kNear = 0.5;      // over the reach
-  constexpr double kStep = 0.7;      // over the reach
+  constexpr double kLongest = 0.7;   // over the reach
+  constexpr int kMostRounds = 4;
   constexpr int kPasses = 6;
-  for (int round = 0; round < most_rounds; ++round) {
-    gather(mover, center, kNear * mover.reach, work);
-    const double least = measure(mover, center, kNear * mover.reach, Care::thorough, work);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double least = measure(mover, center, work);
     if (least >= 0.0) return true;
     if (least < -kHopeless * mover.thickness) return false;
     // Onto one broken side after the other (S. Agmon, Can. J. Math. 6 (1954) 382-392).
@@ -127,48 +190,54 @@ bool Settling<D>::push_out(const Mover& mover, Vec3& center, Workspace& work,
       }
     }
     const double length = norm(step);
-    const double most = kStep * mover.reach;
+    const double most = kLongest * mover.reach;
     center += length > most ? (most / length) * step : step;
   }
   return false;
 }
 
 template <int D>
-bool Settling<D>::drop(const Mover& mover, Vec3& center, Workspace& work) const {
+auto Settling<D>::drop(const Mover& mover, Vec3& center, double known, Workspace& work) const
+    -> Outcome {
   constexpr int kMostSteps = 100;
-  constexpr double kRest = 1e-9;   // over the reach
-  constexpr double kDeep = 1e-7;   // over the reach
-  constexpr double kStep = 0.6;    // over the reach
-  constexpr double kAhead = 2.2;   // over the step
-  constexpr double kLimit = 1.75;  // over the step; above the diagonal of the box of steps
+  constexpr double kRest = 1e-9;  // over the reach
+  constexpr double kDeep = 1e-7;  // over the reach
+  constexpr double kHope = 4.0;   // Steps like the last one to come.
   const double most = kStep * mover.reach;
-  const double limit = kLimit * most;
-  Vec3 gathered = center;
-  bool is_new = true;
   for (int step = 0; step < kMostSteps; ++step) {
-    if (is_new || norm(center - gathered) > (kAhead - kLimit) * most) {
-      gather(mover, center, kAhead * most, work);
-      gathered = center;
-    }
-    double least = measure(mover, center, limit, is_new ? Care::thorough : Care::quick, work);
-    if (least < -kDeep * mover.reach && !is_new) {
-      least = measure(mover, center, limit, Care::thorough, work);
-    }
-    if (least < -kDeep * mover.reach) return false;
-    is_new = false;
+    if (measure(mover, center, work) < -kDeep * mover.reach) return Outcome::overlaps;
     for (HalfSpace& side : work.sides) side.reach = std::max(side.reach, 0.0);
     const Vec3 lowest = lowest_point<D>(work.sides, most);
     if (!(lowest[kUp] < -kRest * mover.reach)) break;
     center += lowest;
+    if (center[kUp] + kHope * lowest[kUp] > known) return Outcome::lags;
   }
-  return true;
+  return Outcome::rests;
 }
 
 template <int D>
 bool Settling<D>::is_clear(const Mover& mover, const Vec3& center, Workspace& work) const {
+  work.neighbors.clear();
+  work.reach = -1.0;
   gather(mover, center, min_gap_ + slack_, work);
-  const double near = 0.5 * mover.reach;
-  return measure(mover, center, near, Care::thorough, work) >= -0.5 * slack_;
+  const double least = -0.5 * slack_;
+  bool is_clear = true;
+  for_walls(mover, center, [&](const HalfSpace& wall) { is_clear &= wall.reach >= least; });
+  return is_clear &&
+         std::all_of(work.neighbors.begin(), work.neighbors.end(),
+                     [&](Neighbor& neighbor) { return keeps_off(mover, center, neighbor, least); });
+}
+
+// Of rods the best direction is now and then found only when it is looked for again.
+template <int D>
+bool Settling<D>::keeps_off(const Mover& mover, const Vec3& center, Neighbor& neighbor,
+                            double least) const {
+  constexpr int kToTheEnd = 40;
+  constexpr int kLooks = 3;
+  for (int look = 0; look < kLooks; ++look) {
+    if (turn(mover, center, neighbor, least, kToTheEnd) >= least) return true;
+  }
+  return false;
 }
 
 template class Settling<2>;

@@ -172,17 +172,19 @@ TEST_CASE("advancing_layer_fill leaves no body of the supply out, and fills the 
 }
 
 TEST_CASE("advancing_layer gives the same bits again, and others for another seed") {
-  const auto supply = scenes::uniform_ellipses(2.0, 10.0, 1);
-  const auto bodies = first_of(supply, 200);
-  const Cell cell = scenes::cell_for(supply, 200, 0.7, true);
-  const auto hash = [&](std::uint64_t seed, int threads) {
-    const auto result =
-        advancing_layer_pack(cell, bodies, {.seed = seed}, RunContext{}.threads(threads));
+  const auto hash = [](const BodySource& supply, double fraction, std::uint64_t seed, int threads) {
+    const Cell cell = scenes::cell_for(supply, 200, fraction, true);
+    const auto result = advancing_layer_pack(cell, first_of(supply, 200), {.seed = seed},
+                                             RunContext{}.threads(threads));
     return scenes::state_hash(result.packing);
   };
-  CHECK(hash(1, 1) == hash(1, 1));
-  CHECK(hash(1, 1) == hash(1, 3));
-  CHECK(hash(1, 1) != hash(2, 1));
+  const auto ellipses = scenes::uniform_ellipses(2.0, 10.0, 1);
+  const std::uint64_t flat = hash(ellipses, 0.7, 1, 1);
+  CHECK(flat == hash(ellipses, 0.7, 1, 1));
+  CHECK(flat == hash(ellipses, 0.7, 1, 3));
+  CHECK(flat != hash(ellipses, 0.7, 2, 1));
+  const auto ellipsoids = scenes::prolate_ellipsoids(2.0, 0.2, 1);
+  CHECK(hash(ellipsoids, 0.48, 1, 1) == hash(ellipsoids, 0.48, 1, 3));
 }
 
 TEST_CASE("advancing_layer_pack says when not all have room, and keeps what stands") {

@@ -9,6 +9,7 @@
 #include "../../../support/random_body.hpp"
 #include "generate/advancing_layer/flat_gap.hpp"
 #include "generate/advancing_layer/linear_program.hpp"
+#include "generate/advancing_layer/solid_gap.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/contact.hpp"
@@ -20,6 +21,23 @@ Body random_ellipse(RandomStream& random) {
   const double b = random.uniform(0.05, 1.0);
   return Ellipse{{b * std::pow(20.0, random.uniform()), b}, random.uniform(0.0, 3.14)};
 }
+
+Body random_ellipsoid(RandomStream& random) {
+  const auto length = [&] { return 0.05 * std::pow(20.0, random.uniform()); };
+  switch (random.below(4)) {
+    case 0:
+      return Sphere{length()};
+    case 1: {
+      const double across = length();
+      return Ellipsoid{{across, across, length()}, random_rotation(random)};
+    }
+    default:
+      return Ellipsoid{{length(), length(), length()}, random_rotation(random)};
+  }
+}
+
+// A height that nothing reaches.
+constexpr double kNowhere = 1e300;
 
 // Least height over all corners of the polygon or polyhedron, box included.
 template <int D>
@@ -120,7 +138,7 @@ void let_down(ShapeKind shape, double min_gap, std::uint64_t seed) {
     const Mover mover(body);
     Vec3 center = center_between<D>(cell, mover, random);
     center[D - 1] = top + min_gap + mover.half_extents[D - 1] + 0.1;
-    REQUIRE(settling.drop(mover, center, work));
+    REQUIRE(settling.settle(mover, center, kNowhere, work) == Settling<D>::Outcome::rests);
     REQUIRE(settling.is_clear(mover, center, work));
     CHECK(least_gap<D>(cell, bodies, centers, body, center) > min_gap);
     CHECK(center[D - 1] > mover.half_extents[D - 1]);
@@ -157,6 +175,51 @@ TEST_CASE("flat_gap agrees with the proven gap of ellipses that are apart, and i
   }
 }
 
+TEST_CASE("solid_gap agrees with the proven gap of ellipsoids, and is never above it") {
+  RandomStream random(2, StreamId::test);
+  int steps_left = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Body a = random_ellipsoid(random), b = random_ellipsoid(random);
+    const double apart = random.uniform(0.0, 1.3) * (circum_radius(a) + circum_radius(b));
+    const Vec3 r = apart * random_direction(random);
+    const Gap proven = gap(a, b, r);
+    const double rounding = proven.error + 1e-12;
+    const SolidEllipsoid of_a(posed_body(a)), of_b(posed_body(b));
+    // Any direction gives a bound, also one that has not come to the end.
+    Vec3 d = first_direction(of_a, of_b, r);
+    for (const int steps : {0, 1, 30}) {
+      const double bound = solid_gap(of_a, of_b, r, kNowhere, steps, d);
+      CHECK(norm(d) == Approx(1.0).epsilon(1e-14));
+      CHECK(bound <= proven.value + rounding);
+      if (steps == 30 && proven.value > 0.0) {
+        CHECK(bound == Approx(proven.value).margin(1e-9));
+      }
+    }
+    // Where less is asked for, it ends at once.
+    Vec3 first = first_direction(of_a, of_b, r);
+    if (solid_gap(of_a, of_b, r, -kNowhere, 30, first) < proven.value - 1e-6) ++steps_left;
+  }
+  CHECK(steps_left > 100);
+}
+
+TEST_CASE("solid_gap of flat and long ellipsoids, and of balls") {
+  RandomStream random(3, StreamId::test);
+  for (int k = 0; k < 500; ++k) {
+    const Body disc = Ellipsoid{{1.0, 1.0, 0.005}, random_rotation(random)};
+    const Body needle = Ellipsoid{{0.005, 0.005, 1.0}, random_rotation(random)};
+    const Vec3 r = random.uniform(0.5, 2.5) * random_direction(random);
+    const Gap proven = gap(disc, needle, r);
+    if (!(proven.value > 0.0)) continue;
+    const SolidEllipsoid a(posed_body(disc)), b(posed_body(needle));
+    Vec3 d = first_direction(a, b, r);
+    CHECK(solid_gap(a, b, r, kNowhere, 60, d) == Approx(proven.value).margin(1e-8));
+  }
+  const SolidEllipsoid ball(posed_body(Sphere{1.0}));
+  Vec3 d = first_direction(ball, ball, {0.0, 3.0, 0.0});
+  CHECK(solid_gap(ball, ball, {0.0, 3.0, 0.0}, kNowhere, 5, d) == Approx(1.0).epsilon(1e-14));
+  CHECK(first_direction(ball, ball, {}) == Vec3{0, 0, 1});
+}
+
 TEST_CASE("lowest_point finds the lowest corner, as trying all of them does") {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     compare_programs<2>(seed);
@@ -183,7 +246,7 @@ TEST_CASE("Settling: bodies of every shape come to rest, apart by the least gap"
   }
 }
 
-TEST_CASE("Settling::push_out takes a body out of what it overlaps a little") {
+TEST_CASE("Settling takes a body out of what it overlaps a little, not out of its middle") {
   const Cell cell = cell_2d(10.0, 10.0, true, false);
   Settling<2> settling(cell, 0.0, 1e-10, 2);
   Settling<2>::Workspace work;
@@ -192,10 +255,45 @@ TEST_CASE("Settling::push_out takes a body out of what it overlaps a little") {
   settling.add(disk, {7.5, 1.0, 0.0});
   Vec3 center{6.0, 2.3, 0.0};
   REQUIRE_FALSE(settling.is_clear(disk, center, work));
-  REQUIRE(settling.push_out(disk, center, work, 10));
+  REQUIRE(settling.settle(disk, center, kNowhere, work) == Settling<2>::Outcome::rests);
   CHECK(settling.is_clear(disk, center, work));
+  CHECK(center.x == Approx(6.25));
+  CHECK(center.y == Approx(1.0 + std::sqrt(4.0 - 1.25 * 1.25)));
   Vec3 inside{5.0, 1.0, 0.0};
-  CHECK_FALSE(settling.push_out(disk, inside, work, 10));
+  CHECK(settling.settle(disk, inside, kNowhere, work) == Settling<2>::Outcome::overlaps);
+}
+
+TEST_CASE("Settling gives a body up that comes down too slowly to end below a known height") {
+  const Cell cell = cell_2d(10.0, 10.0, true, false);
+  Settling<2> settling(cell, 0.0, 1e-10, 1);
+  Settling<2>::Workspace work;
+  const Mover disk(Disk{1.0});
+  settling.add(disk, {5.0, 1.0, 0.0});
+  Vec3 center{5.01, 3.1, 0.0};
+  CHECK(settling.settle(disk, center, 0.5, work) == Settling<2>::Outcome::lags);
+  Vec3 again{5.01, 3.1, 0.0};
+  CHECK(settling.settle(disk, again, kNowhere, work) == Settling<2>::Outcome::rests);
+  CHECK(again.y == Approx(1.0));
+}
+
+TEST_CASE("Settling comes to the same place whatever its workspace was used for before") {
+  RandomStream random(4, StreamId::test);
+  const Cell cell{3, {6.0, 6.0, 60.0}, {true, true, false}};
+  Settling<3> settling(cell, 0.0, 1e-10, 10);
+  for (int k = 0; k < 10; ++k) {
+    const Vec3 center{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0), 2.0 + k};
+    settling.add(Mover(Ellipsoid{{1.0, 0.5, 0.3}, random_rotation(random)}), center);
+  }
+  Settling<3>::Workspace used;
+  for (int k = 0; k < 20; ++k) {
+    const Mover mover(random_ellipsoid(random));
+    const Vec3 start{random.uniform(0.0, 6.0), random.uniform(0.0, 6.0), 12.0};
+    Settling<3>::Workspace fresh;
+    Vec3 center = start, again = start;
+    const auto outcome = settling.settle(mover, center, kNowhere, fresh);
+    CHECK(settling.settle(mover, again, kNowhere, used) == outcome);
+    CHECK(again == center);
+  }
 }
 
 }  // namespace packstone::advancing_layer
