@@ -26,7 +26,8 @@ struct AdvancingLayerOptions {
   double top_layer = 3.0;
 
   /// Places compared for each body, of which it takes the lowest [-]. >= 1. Absent: 2 to 40 for
-  /// disks, more the nearer the sizes are to each other; for other bodies 60.
+  /// disks, more the nearer the sizes are to each other; for other bodies 60, in space 40 to 160,
+  /// more the longer or flatter they are.
   std::optional<int> candidates = {};
 
   /// Part of the volume (area), of the smallest bodies, that is placed last, largest first, in

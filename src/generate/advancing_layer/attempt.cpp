@@ -33,6 +33,17 @@ double largest_half_width(const std::vector<OrderedBody>& bodies) {
   return largest;
 }
 
+// Places worth comparing for bodies that are not balls. In space long and flat ones, which fit in
+// fewer of them, gain by more; in the plane none do.
+int candidates_for_shapes(const std::vector<OrderedBody>& bodies) {
+  constexpr int kLeast = 40, kMost = 160, kInPlane = 60;
+  if (dimension(kind(bodies.front().body)) == 2) return kInPlane;
+  double sum = 0.0;
+  for (const OrderedBody& b : bodies) sum += circum_radius(b.body) / in_radius(b.body);
+  const double aspect = std::min(sum / static_cast<double>(bodies.size()), 10.0);
+  return std::clamp(static_cast<int>(12.0 * aspect * aspect), kLeast, kMost);
+}
+
 class Run {
  public:
   Run(const Cell& cell, const std::vector<OrderedBody>& bodies, const Plan& plan,
@@ -43,7 +54,7 @@ class Run {
         is_last_(is_last),
         run_(run),
         layer_depth_(plan.top_layer * largest_half_width(bodies)),
-        layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt, run.threads())),
+        layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt)),
         heights_(plan.seed, StreamId::advancing_layer, kHeightItem, attempt) {
     placement_.centers.resize(bodies.size());
     split_order(RandomStream(plan.seed, StreamId::advancing_layer, kOrderItem, attempt));
@@ -162,11 +173,10 @@ Plan plan_for(const AdvancingLayerOptions& options, const std::vector<OrderedBod
   const double wide = spread(bodies);
   const bool round = std::all_of(bodies.begin(), bodies.end(),
                                  [](const OrderedBody& b) { return is_round(kind(b.body)); });
-  constexpr int kForShapes = 60;
-  constexpr double kGrowth = 1.7;
   const int for_balls = static_cast<int>(std::clamp(1.2 / std::max(wide, 0.01), 2.0, 40.0));
-  const double held = std::clamp(0.2 * wide, 0.02, 0.1);
-  const int candidates = options.candidates.value_or(round ? for_balls : kForShapes);
+  const double held = std::clamp(0.7 * wide, 0.02, 0.35);
+  const int candidates =
+      options.candidates.value_or(round ? for_balls : candidates_for_shapes(bodies));
   return {.min_gap = options.min_gap,
           .top_layer = options.top_layer,
           .candidates = candidates,

@@ -52,7 +52,7 @@ std::vector<double> few_radii(const std::vector<OrderedBody>& bodies) {
 
 template <int D>
 std::unique_ptr<Layer> layer_in(const Cell& cell, const std::vector<OrderedBody>& bodies,
-                                double min_gap, const RandomStream& random, int threads) {
+                                double min_gap, const RandomStream& random) {
   const Expected expected = expected_of(bodies);
   const bool round = std::all_of(bodies.begin(), bodies.end(),
                                  [](const OrderedBody& b) { return is_round(kind(b.body)); });
@@ -62,7 +62,7 @@ std::unique_ptr<Layer> layer_in(const Cell& cell, const std::vector<OrderedBody>
     return std::make_unique<EqualLayer<D>>(cell, expected, std::move(radii), min_gap, random);
   }
   return std::make_unique<ShapedLayer<D>>(cell, expected, static_cast<std::int64_t>(bodies.size()),
-                                          min_gap, random, threads);
+                                          min_gap, random);
 }
 
 }  // namespace
@@ -75,11 +75,10 @@ double guide_radius(const Body& body) {
 }
 
 std::unique_ptr<Layer> make_layer(const Cell& cell, const std::vector<OrderedBody>& bodies,
-                                  double min_gap, std::uint64_t seed, std::uint64_t attempt,
-                                  int threads) {
+                                  double min_gap, std::uint64_t seed, std::uint64_t attempt) {
   const RandomStream random(seed, StreamId::advancing_layer, kFloorItem, attempt);
-  return cell.dimension == 2 ? layer_in<2>(cell, bodies, min_gap, random, threads)
-                             : layer_in<3>(cell, bodies, min_gap, random, threads);
+  return cell.dimension == 2 ? layer_in<2>(cell, bodies, min_gap, random)
+                             : layer_in<3>(cell, bodies, min_gap, random);
 }
 
 }  // namespace packstone::advancing_layer

@@ -42,12 +42,11 @@ class Layer {
   virtual void open_floor() = 0;
 };
 
-/// A layer for these bodies, empty. `attempt` keys its random numbers beside `seed`; `threads` as
-/// of parallel_for().
+/// A layer for these bodies, empty. `attempt` keys its random numbers beside `seed`.
 [[nodiscard]] std::unique_ptr<Layer> make_layer(const Cell& cell,
                                                 const std::vector<OrderedBody>& bodies,
                                                 double min_gap, std::uint64_t seed,
-                                                std::uint64_t attempt, int threads);
+                                                std::uint64_t attempt);
 
 /// The balls that stand for a body where a place for it is looked for: radius of one that is about
 /// as large [L].

@@ -4,6 +4,7 @@
 /// The places where a ball of a given radius may rest among those that stand.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -40,8 +41,7 @@ struct PocketSearch {
   double radius = 0.0;  ///< Of the ball [L].
   double from = 0.0;    ///< Height of the tops of anchors from which to look upward [L].
   int most = 1;         ///< Anchors with a place after which the search ends.
-  /// Keep what is found: worth it where the same radius is looked for time and again.
-  bool remember = false;
+  int level = 0;        ///< Of the radius, see Pockets::remember_places().
 };
 
 /// What keeps contacts proven apart after rounding, where the largest body has the radius `largest`
@@ -68,6 +68,10 @@ class Pockets {
                 expected.count),
         queue_(cell.size[kUp], kBin * expected.typical, expected.smallest) {}
 
+  /// From now on radii come from a short list, numbered by PocketSearch::level: what is found on an
+  /// anchor is kept, and what fails there is told for that radius alone. Before the first add().
+  void remember_places() { remembers_ = true; }
+
   /// A ball that stands; its center lies in the cell.
   void add(const Vec3& center, double radius) {
     const std::int32_t ball = levels_.add(center, radius);
@@ -75,7 +79,7 @@ class Pockets {
     top_ = std::max(top_, std::min(top, cell_.size[kUp]));
     queue_.add(ball, top);
     failures_.push_back(0);
-    known_.push_back({});
+    if (remembers_) known_.emplace_back();
   }
 
   /// Height of the highest top [L].
@@ -109,19 +113,26 @@ class Pockets {
     found.clear();
     queue_.walk(search.from, search.radius, [&](std::int32_t anchor, double& limit) {
       Pocket pocket{{}, anchor};
-      if (search.remember ? lowest_known(anchor, search.radius, pocket.center)
-                          : lowest(anchor, search.radius, pocket.center)) {
+      if (remembers_ ? lowest_known(anchor, search, pocket.center)
+                     : lowest(anchor, search.radius, pocket.center)) {
         found.push_back(pocket);
         return static_cast<int>(found.size()) < search.most;
       }
       limit = search.radius;
-      if (fails_again(anchor)) limit = failing_radius(anchor, search.radius);
+      if (!remembers_ && fails_again(anchor)) limit = failing_radius(anchor, search.radius);
       return true;
     });
   }
 
-  /// What was found on this anchor is of no use to balls of `radius` and above.
-  void give_up(std::int32_t anchor, double radius) { queue_.lower_limit(anchor, radius); }
+  /// What was found on this anchor was of no use: after a few times, nothing that may be found
+  /// there is to balls of `radius` and above.
+  void fail(std::int32_t anchor, double radius) {
+    constexpr int kPatience = 3;
+    std::uint8_t& failures = failures_[static_cast<std::size_t>(anchor)];
+    if (++failures < kPatience) return;
+    failures = 0;
+    queue_.lower_limit(anchor, radius);
+  }
 
   /// Calls visit(center) for all places of a ball on `anchor`.
   template <class Visit>
@@ -152,8 +163,12 @@ class Pockets {
 
  private:
   using Blocked = std::conditional_t<D == 2, ContactArcs, ContactCaps>;
-  // Radius of the finest grid over the typical one: finer grids have hardly a ball in a cell.
-  static constexpr double kFinest = 0.8;
+  // A place found, for a ball of this radius; 0: none.
+  struct Known {
+    Vec3 center;
+    double radius = 0.0;
+  };
+  static constexpr std::size_t kRemembered = 4;  // Levels.
   // Height of a bin of anchors over the typical radius.
   static constexpr double kBin = 0.15;
   // Part of the slack that rounding of positions may take.
@@ -171,14 +186,15 @@ class Pockets {
 
   // The place found last, while it is clear: balls that have come since take places away, and what
   // they add is hardly ever lower.
-  bool lowest_known(std::int32_t anchor, double radius, Vec3& place) {
-    Known& known = known_[static_cast<std::size_t>(anchor)];
-    if (known.radius == radius && is_clear(wrapped(cell_, known.center), radius)) {
+  bool lowest_known(std::int32_t anchor, const PocketSearch& search, Vec3& place) {
+    const auto slot = static_cast<std::size_t>(search.level) % kRemembered;
+    Known& known = known_[static_cast<std::size_t>(anchor)][slot];
+    if (known.radius == search.radius && is_clear(wrapped(cell_, known.center), search.radius)) {
       place = known.center;
       return true;
     }
-    const bool found = lowest(anchor, radius, place);
-    known = {place, found ? radius : 0.0};
+    const bool found = lowest(anchor, search.radius, place);
+    known = {place, found ? search.radius : 0.0};
     return found;
   }
 
@@ -262,12 +278,9 @@ class Pockets {
   BallLevels<D> levels_;
   AnchorQueue queue_;
   Blocked blocked_;
-  struct Known {
-    Vec3 center;
-    double radius = 0.0;  // 0: none.
-  };
   std::vector<std::uint8_t> failures_;
-  std::vector<Known> known_;  // The lowest place found last, by anchor.
+  bool remembers_ = false;
+  std::vector<std::array<Known, kRemembered>> known_;  // By anchor and level.
   double top_ = 0.0;
   bool floor_ = true;
   std::int64_t tests_ = 0;

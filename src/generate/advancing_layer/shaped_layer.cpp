@@ -1,9 +1,9 @@
 #include "generate/advancing_layer/shaped_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "packstone/core/parallel.hpp"
 #include "packstone/geometry/inscribed_balls.hpp"
 
 namespace packstone::advancing_layer {
@@ -14,29 +14,48 @@ namespace {
 template <int D>
 constexpr double kBallSpacing = D == 2 ? 0.8 : 1.0;
 
+// From one radius of guides to the next; the same holds.
+template <int D>
+constexpr double kGuideStep = D == 2 ? 1.1 : 1.4;
+
 }  // namespace
 
 template <int D>
 ShapedLayer<D>::ShapedLayer(const Cell& cell, const Expected& expected, std::int64_t bodies,
-                            double min_gap, RandomStream random, int threads)
+                            double min_gap, RandomStream random)
     : cell_(cell),
       pockets_(cell, expected, min_gap),
       settling_(cell, min_gap, contact_slack(cell, expected.largest), bodies),
       random_(random),
-      threads_(threads) {}
+      least_guide_(expected.smallest) {
+  pockets_.remember_places();
+}
+
+// Radii of guides come from a short list, so that what is found for one body serves others too.
+template <int D>
+auto ShapedLayer<D>::guide_of(const Body& body) const -> Guide {
+  const double wanted = guide_radius(body);
+  Guide guide{least_guide_, 0};
+  while (guide.radius * std::sqrt(kGuideStep<D>) < wanted) {
+    guide.radius *= kGuideStep<D>;
+    ++guide.level;
+  }
+  return guide;
+}
 
 template <int D>
 std::optional<Vec3> ShapedLayer<D>::place(const Body& body, const Search& search) {
   constexpr std::int64_t kFew = 30;
   const Mover mover(body);
+  const Guide guide = guide_of(body);
   places_.clear();
-  try_pockets(mover, guide_radius(body), search);
+  try_pockets(mover, guide, search);
   if (standing_ < kFew) try_columns(mover);
   std::optional<Vec3> place = lowest_clear(mover);
   if (!place && !search.holes) {
     // What failed for others need not fail for this one.
     pockets_.renew_above(search.from);
-    try_pockets(mover, guide_radius(body), search);
+    try_pockets(mover, guide, search);
     try_columns(mover);
     place = lowest_clear(mover);
   }
@@ -48,16 +67,18 @@ std::optional<Vec3> ShapedLayer<D>::place(const Body& body, const Search& search
 
 // The lowest of the pockets found. Most of them are found on each ball that they touch.
 template <int D>
-void ShapedLayer<D>::list_starts(double guide, const Search& search) {
-  constexpr int kFoundPerTry = 3;
+void ShapedLayer<D>::list_starts(const Guide& guide, const Search& search) {
+  const int found_per_try = search.holes ? 1 : 3;
   constexpr double kSame = 1e-6;  // over the guide
-  pockets_.find({guide, search.from, kFoundPerTry * search.candidates, true}, found_);
+  pockets_.find({guide.radius, search.from, found_per_try * search.candidates, guide.level},
+                found_);
   std::sort(found_.begin(), found_.end(), [](const Pocket& a, const Pocket& b) {
     return a.center[kUp] != b.center[kUp] ? a.center[kUp] < b.center[kUp] : a.anchor < b.anchor;
   });
   starts_.clear();
   for (std::size_t k = 0; k < found_.size(); ++k) {
-    const bool is_same = k > 0 && norm(found_[k].center - found_[k - 1].center) < kSame * guide;
+    const bool is_same =
+        k > 0 && norm(found_[k].center - found_[k - 1].center) < kSame * guide.radius;
     if (!is_same) starts_.push_back({k, k});
     starts_.back().last = k + 1;
   }
@@ -66,57 +87,42 @@ void ShapedLayer<D>::list_starts(double guide, const Search& search) {
 }
 
 template <int D>
-void ShapedLayer<D>::try_pockets(const Mover& mover, double guide, const Search& search) {
+void ShapedLayer<D>::try_pockets(const Mover& mover, const Guide& guide, const Search& search) {
   constexpr double kAbove = 0.5;  // A body may end this part of its reach below where it is put.
   constexpr int kLifts = 4;
   list_starts(guide, search);
-  const std::size_t batch = search.holes ? 1 : kBatch;
-  for (std::size_t begin = 0; begin < starts_.size(); begin += batch) {
-    const double start = found_[starts_[begin].first].center[kUp];
-    if (start > lowest_place() + kAbove * mover.reach) break;
-    const std::size_t end = std::min(begin + batch, starts_.size());
-    try_batch(mover, begin, end, search.holes ? 0 : kLifts);
-    for (std::size_t k = begin; k < end; ++k) {
-      const Trial& trial = trials_[k - begin];
-      if (trial.outcome == Outcome::rests) places_.push_back(trial.center);
-      if (trial.outcome != Outcome::overlaps) continue;
-      // One of another orientation might fit, but hardly a larger one.
-      for (std::size_t same = starts_[k].first; same < starts_[k].last; ++same) {
-        pockets_.give_up(found_[same].anchor, guide);
-      }
+  for (const Start& start : starts_) {
+    const Vec3& center = found_[start.first].center;
+    if (center[kUp] > lowest_place() + kAbove * mover.reach) break;
+    if (settle_from(mover, center, search.holes ? 0 : kLifts)) {
+      if (search.holes && !places_.empty()) return;
+      continue;
     }
-    if (search.holes && !places_.empty()) return;
+    // One of another orientation might fit, but hardly a larger one.
+    for (std::size_t same = start.first; same < start.last; ++same) {
+      pockets_.fail(found_[same].anchor, guide.radius);
+    }
   }
-}
-
-template <int D>
-void ShapedLayer<D>::try_batch(const Mover& mover, std::size_t begin, std::size_t end, int lifts) {
-  const double known = lowest_place();
-  const auto count = static_cast<std::int64_t>(end - begin);
-  parallel_for(count, threads_, 1, [&](std::int64_t first, std::int64_t last) {
-    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
-      const Vec3& start = found_[starts_[begin + k].first].center;
-      trials_[k] = settle_from(mover, start, lifts, known, works_[k]);
-    }
-  });
 }
 
 // Lets the body down, from where it is put or, where it overlaps too much there, from above that.
+// False where there is no place.
 template <int D>
-auto ShapedLayer<D>::settle_from(const Mover& mover, const Vec3& start, int lifts, double known,
-                                 Workspace& work) const -> Trial {
+bool ShapedLayer<D>::settle_from(const Mover& mover, const Vec3& start, int lifts) {
+  using Outcome = typename Settling<D>::Outcome;
   constexpr double kLift = 0.5;  // over the reach
   for (int lift = 0; lift <= lifts; ++lift) {
-    Trial trial{start, Outcome::overlaps};
-    trial.center[kUp] += lift * kLift * mover.reach;
-    trial.outcome = settling_.settle(mover, trial.center, known, work);
-    if (trial.outcome == Outcome::overlaps) continue;
+    Vec3 center = start;
+    center[kUp] += lift * kLift * mover.reach;
+    const Outcome outcome = settling_.settle(mover, center, lowest_place(), work_);
+    if (outcome == Outcome::overlaps) continue;
+    if (outcome == Outcome::lags) return true;
     const double ceiling = cell_.size[kUp] - mover.half_extents[kUp];
-    const bool is_out = !cell_.periodic[kUp] && trial.center[kUp] > ceiling;
-    if (is_out && trial.outcome == Outcome::rests) trial.outcome = Outcome::overlaps;
-    return trial;
+    if (!cell_.periodic[kUp] && center[kUp] > ceiling) return false;
+    places_.push_back(center);
+    return true;
   }
-  return {start, Outcome::overlaps};
+  return false;
 }
 
 template <int D>
@@ -131,7 +137,7 @@ std::optional<Vec3> ShapedLayer<D>::lowest_clear(const Mover& mover) {
   std::stable_sort(places_.begin(), places_.end(),
                    [](const Vec3& a, const Vec3& b) { return a[kUp] < b[kUp]; });
   for (const Vec3& place : places_) {
-    if (settling_.is_clear(mover, place, works_.front())) return place;
+    if (settling_.is_clear(mover, place, work_)) return place;
   }
   places_.clear();
   return std::nullopt;
@@ -150,8 +156,7 @@ void ShapedLayer<D>::try_columns(const Mover& mover) {
     }
     start[kUp] = top_ + above;
     if (!cell_.periodic[kUp]) start[kUp] = std::min(start[kUp], cell_.size[kUp] - above);
-    const Trial trial = settle_from(mover, start, 0, lowest_place(), works_.front());
-    if (trial.outcome == Outcome::rests) places_.push_back(trial.center);
+    settle_from(mover, start, 0);
   }
 }
 

@@ -7,12 +7,7 @@
 /// stand (inscribed_balls.hpp); there the body is put, pushed out of what it overlaps, or lifted if
 /// that fails, and let down. So the balls only say where to look, and all contacts are those of the
 /// true bodies.
-///
-/// What one place comes to is independent of all others, so that several threads can try some at
-/// once. They are tried in batches of a fixed size: what is known when a batch begins, and so the
-/// result, does not depend on how many threads there are.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +23,7 @@ template <int D>
 class ShapedLayer final : public Layer {
  public:
   ShapedLayer(const Cell& cell, const Expected& expected, std::int64_t bodies, double min_gap,
-              RandomStream random, int threads);
+              RandomStream random);
 
   std::optional<Vec3> place(const Body& body, const Search& search) override;
   [[nodiscard]] double top() const override { return top_; }
@@ -41,27 +36,23 @@ class ShapedLayer final : public Layer {
  private:
   static constexpr std::size_t kUp = D - 1;
 
-  static constexpr std::size_t kBatch = 12;
-  using Workspace = typename Settling<D>::Workspace;
-
+  // The ball in place of a body.
+  struct Guide {
+    double radius;
+    int level;
+  };
   // Pockets that are one and the same: found_[first], ..., found_[last - 1].
   struct Start {
     std::size_t first, last;
   };
-  using Outcome = typename Settling<D>::Outcome;
-  struct Trial {
-    Vec3 center;
-    Outcome outcome;
-  };
 
-  void list_starts(double guide, const Search& search);
+  [[nodiscard]] Guide guide_of(const Body& body) const;
+  void list_starts(const Guide& guide, const Search& search);
   // Each fills places_.
-  void try_pockets(const Mover& mover, double guide, const Search& search);
+  void try_pockets(const Mover& mover, const Guide& guide, const Search& search);
   void try_columns(const Mover& mover);
 
-  void try_batch(const Mover& mover, std::size_t begin, std::size_t end, int lifts);
-  Trial settle_from(const Mover& mover, const Vec3& start, int lifts, double known,
-                    Workspace& work) const;
+  bool settle_from(const Mover& mover, const Vec3& start, int lifts);
   [[nodiscard]] double lowest_place() const;
   std::optional<Vec3> lowest_clear(const Mover& mover);
   void add(const Body& body, const Mover& mover, const Vec3& center);
@@ -69,13 +60,12 @@ class ShapedLayer final : public Layer {
   Cell cell_;
   Pockets<D> pockets_;
   Settling<D> settling_;
+  typename Settling<D>::Workspace work_;
   RandomStream random_;
-  int threads_;
+  double least_guide_;
   std::vector<Pocket> found_;
   std::vector<Start> starts_;
-  std::array<Trial, kBatch> trials_;
-  std::array<Workspace, kBatch> works_;  // One by trial.
-  std::vector<Vec3> places_;             // Where the body would come to rest.
+  std::vector<Vec3> places_;  // Where the body would come to rest.
   std::int64_t standing_ = 0;
   double top_ = 0.0;
 };
