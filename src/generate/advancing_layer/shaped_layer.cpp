@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
+#include <vector>
 
+#include "packstone/core/overloaded.hpp"
+#include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/inscribed_balls.hpp"
 
 namespace packstone::advancing_layer {
@@ -17,6 +21,34 @@ constexpr double kBallSpacing = D == 2 ? 0.8 : 1.0;
 // From one radius of guides to the next; the same holds.
 template <int D>
 constexpr double kGuideStep = D == 2 ? 1.1 : 1.4;
+
+// The body, nowhere thinner than a ball of radius `least`.
+Body thickened(const Body& body, double least) {
+  const auto thick = [&](double length) { return std::max(length, least); };
+  return std::visit(
+      Overloaded{[&](const Ellipsoid& b) -> Body {
+                   const Vec3& s = b.semi_axes;
+                   return Ellipsoid{{thick(s.x), thick(s.y), thick(s.z)}, b.orientation};
+                 },
+                 [&](const Cylinder& b) -> Body {
+                   return Cylinder{thick(b.radius), thick(b.half_length), b.axis};
+                 },
+                 [](const auto& b) -> Body { return b; }},
+      body);
+}
+
+// Balls that keep guides of radius `guide` off. Flat bodies would hold thousands, far smaller than
+// the guides: those of a thicker one do, made smaller.
+template <int D>
+std::vector<InscribedBall> guards(const Body& body, double guide) {
+  constexpr double kLeast = 0.6;  // over the guide
+  if constexpr (D == 2) return inscribed_balls(body, kBallSpacing<D>);
+  const Body thick = thickened(body, kLeast * guide);
+  std::vector<InscribedBall> balls = inscribed_balls(thick, kBallSpacing<D>);
+  const double part = in_radius(body) / in_radius(thick);
+  for (InscribedBall& ball : balls) ball.radius *= part;
+  return balls;
+}
 
 }  // namespace
 
@@ -163,7 +195,7 @@ void ShapedLayer<D>::try_columns(const Mover& mover) {
 template <int D>
 void ShapedLayer<D>::add(const Body& body, const Mover& mover, const Vec3& center) {
   settling_.add(mover, center);
-  for (const InscribedBall& ball : inscribed_balls(body, kBallSpacing<D>)) {
+  for (const InscribedBall& ball : guards<D>(body, guide_radius(body))) {
     pockets_.add(wrapped(cell_, center + ball.center), ball.radius);
   }
   top_ = std::max(top_, std::min(center[kUp] + mover.half_extents[kUp], cell_.size[kUp]));

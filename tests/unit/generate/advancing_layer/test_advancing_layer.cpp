@@ -136,6 +136,30 @@ TEST_CASE("advancing_layer_pack fills cells that are periodic along every axis")
   require_all_placed(advancing_layer_pack(cube, balls, {.seed = 1}), balls);
 }
 
+TEST_CASE(
+    "advancing_layer_pack places bodies of extreme shapes, in cells hardly larger than they") {
+  RandomStream random(9, StreamId::test);
+  const auto turned = [&](const Vec3& semi_axes) {
+    return OrderedBody{Ellipsoid{semi_axes, random_rotation(random)}, 0};
+  };
+  std::vector<OrderedBody> needles, plates, mixed, few;
+  for (int k = 0; k < 80; ++k) {
+    if (k % 2 == 0) needles.push_back(turned({1.0, 0.1, 0.1}));
+    if (k % 4 == 0) plates.push_back(turned({1.0, 1.0, 0.05}));
+    mixed.push_back(turned({0.2, 0.25, 0.3}));
+    if (k % 16 == 0) mixed.push_back(turned({3.0, 0.3, 0.2}));
+    if (k % 4 == 0) few.push_back(turned({0.4, 0.8, 0.3}));
+  }
+  const auto pack = [](const Cell& cell, const std::vector<OrderedBody>& bodies, double gap) {
+    require_all_placed(advancing_layer_pack(cell, bodies, {.min_gap = gap}), bodies, gap);
+  };
+  pack({3, {3.0, 3.0, 5.0}, {true, true, false}}, needles, 0.0);
+  pack({3, {4.0, 4.0, 6.0}, {true, true, true}}, plates, 0.01);
+  pack({3, {6.5, 6.5, 6.5}, {true, true, false}}, mixed, 0.0);
+  pack({3, {1.7, 1.7, 12.0}, {true, true, false}}, few, 0.02);
+  pack({3, {2.0, 2.0, 9.0}, {true, false, true}}, few, 0.0);
+}
+
 TEST_CASE("advancing_layer: each disk touches two others, walls or the floor") {
   const auto supply = scenes::normal_balls(2, 4.0, 7);
   const auto bodies = first_of(supply, 400);
