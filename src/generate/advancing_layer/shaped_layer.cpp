@@ -97,7 +97,7 @@ std::optional<Vec3> ShapedLayer<D>::place(const Body& body, const Search& search
   return center;
 }
 
-// The lowest of the pockets found. Most of them are found on each ball that they touch.
+// Pockets, the lowest first. Most of them are found on each ball that they touch.
 template <int D>
 void ShapedLayer<D>::list_starts(const Guide& guide, const Search& search) {
   const int found_per_try = search.holes ? 1 : 3;
@@ -114,8 +114,6 @@ void ShapedLayer<D>::list_starts(const Guide& guide, const Search& search) {
     if (!is_same) starts_.push_back({k, k});
     starts_.back().last = k + 1;
   }
-  const auto most = static_cast<std::size_t>(search.candidates);
-  if (starts_.size() > most) starts_.resize(most);
 }
 
 template <int D>
@@ -123,7 +121,10 @@ void ShapedLayer<D>::try_pockets(const Mover& mover, const Guide& guide, const S
   constexpr double kAbove = 0.5;  // A body may end this part of its reach below where it is put.
   constexpr int kLifts = 4;
   list_starts(guide, search);
+  int tries = 0;
   for (const Start& start : starts_) {
+    // More than asked for until there is one place: there may be none but high up.
+    if (++tries > search.candidates && !places_.empty()) break;
     const Vec3& center = found_[start.first].center;
     if (center[kUp] > lowest_place() + kAbove * mover.reach) break;
     if (settle_from(mover, center, search.holes ? 0 : kLifts)) {
