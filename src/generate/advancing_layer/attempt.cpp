@@ -173,8 +173,9 @@ Plan plan_for(const AdvancingLayerOptions& options, const std::vector<OrderedBod
   const double wide = spread(bodies);
   const bool round = std::all_of(bodies.begin(), bodies.end(),
                                  [](const OrderedBody& b) { return is_round(kind(b.body)); });
+  constexpr double kGrowth = 1.7;
   const int for_balls = static_cast<int>(std::clamp(1.2 / std::max(wide, 0.01), 2.0, 40.0));
-  const double held = std::clamp(0.7 * wide, 0.02, 0.35);
+  const double held = std::clamp(0.2 * wide, 0.02, 0.1);
   const int candidates =
       options.candidates.value_or(round ? for_balls : candidates_for_shapes(bodies));
   return {.min_gap = options.min_gap,

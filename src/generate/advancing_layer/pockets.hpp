@@ -169,6 +169,9 @@ class Pockets {
     double radius = 0.0;
   };
   static constexpr std::size_t kRemembered = 4;  // Levels.
+
+  // Radius of the finest grid over the typical one: finer grids have hardly a ball in a cell.
+  static constexpr double kFinest = 0.8;
   // Height of a bin of anchors over the typical radius.
   static constexpr double kBin = 0.15;
   // Part of the slack that rounding of positions may take.
