@@ -51,7 +51,7 @@ int AnchorQueue::bin_of(double height) const {
 
 int AnchorQueue::first_bin(int bin, double radius) const {
   if (bin >= static_cast<int>(bins_.size())) return -1;
-  auto node = static_cast<std::size_t>(leaves_ + bin);
+  auto node = static_cast<std::size_t>(leaves_) + static_cast<std::size_t>(bin);
   while (!(tree_[node] > radius)) {
     // To the next subtree on the right; a node of ones alone is the last of its row.
     while (node % 2 == 1) node /= 2;
@@ -79,7 +79,7 @@ void AnchorQueue::put(std::vector<std::int32_t>& heap, std::int32_t anchor) {
 
 void AnchorQueue::refresh(int bin) {
   const auto& heap = bins_[static_cast<std::size_t>(bin)];
-  auto node = static_cast<std::size_t>(leaves_ + bin);
+  auto node = static_cast<std::size_t>(leaves_) + static_cast<std::size_t>(bin);
   tree_[node] = heap.empty() ? 0.0 : limit(heap.front());
   for (node /= 2; node > 0; node /= 2) {
     const double larger = std::max(tree_[2 * node], tree_[2 * node + 1]);
