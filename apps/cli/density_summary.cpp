@@ -108,6 +108,16 @@ Json density_json(const DensityReport& report) {
           {"profiles", profiles_json(report)}};
 }
 
+std::string density_line(const DensityReport& report) {
+  if (!report.interior) return "";
+  std::string text = fmt::format("interior {:.4f}", report.interior->fraction.value);
+  for (const BoundaryDeficit& deficit : report.deficits) {
+    text += fmt::format(", {} {} = {:.4g} costs {:.3g}", word(deficit.boundary),
+                        axis_name(deficit.axis), deficit.position, deficit.length);
+  }
+  return text;
+}
+
 std::string density_text(const DensityReport& report, int dimension) {
   std::string text = fmt::format("density of {} inclusions, largest half width {:.6g}\n",
                                  report.count, report.largest_half_width);

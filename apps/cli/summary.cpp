@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "density_summary.hpp"
 #include "packstone/core/number_text.hpp"
 
 namespace packstone::cli {
@@ -339,6 +340,11 @@ Json outcome_json(const PackOutcome& outcome) {
             {"derived", outcome.derived}};
   text["time_driven"] = time_driven_json(outcome.time_driven);
   text["published_layer"] = published_layer_json(outcome.published_layer);
+  text["density"] = nullptr;
+  if (outcome.density) {
+    text["density"] = density_json(*outcome.density);
+    text["density"].erase("profiles");
+  }
   text["certificate"] = certificate_json(*outcome.packing.certificate);
   text["deepest_crossing"] = crossing_json(outcome.deepest_crossing);
   return text;
@@ -381,7 +387,8 @@ std::string outcome_text(const PackOutcome& outcome) {
   text += fmt::format("  {}, fraction {:.6g}, smallest gap {}{}\n",
                       c.passed() ? "certified: no overlap" : "NOT CERTIFIED", c.fraction,
                       gap_text(c), worst_text(c));
-  return text;
+  const std::string density = outcome.density ? density_line(*outcome.density) : "";
+  return density.empty() ? text : text + "  " + density + "\n";
 }
 
 std::string outcome_line(const PackOutcome& outcome) {

@@ -127,6 +127,9 @@ class Run {
     outcome.derived.insert(outcome.derived.begin(), mix_.derived.begin(), mix_.derived.end());
     outcome.seconds = seconds();
     certify(recipe_, run_, outcome);
+    if (recipe::is_constructive(choice_.method) && !outcome.packing.inclusions.empty()) {
+      outcome.density = measure_density(outcome.packing, {}, RunContext{}.threads(threads_));
+    }
     outcome.packing.provenance = provenance(outcome.stop, outcome.seconds);
     return outcome;
   }

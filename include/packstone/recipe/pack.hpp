@@ -15,6 +15,7 @@
 #include "packstone/generate/published_advancing_layer.hpp"
 #include "packstone/generate/published_time_driven.hpp"
 #include "packstone/generate/relaxation.hpp"
+#include "packstone/measure/density.hpp"
 #include "packstone/recipe/recipe.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "packstone/structure/moving_packing.hpp"
@@ -121,6 +122,8 @@ struct PackOutcome {
   std::optional<RelaxationOutcome> relaxation;           ///< Of relaxations.
   std::optional<TimeDrivenOutcome> time_driven;          ///< Of the published relaxation.
   std::optional<PublishedLayerOutcome> published_layer;  ///< Of the published advancing layers.
+  /// How dense inside and at the boundaries: of constructive methods, which pack from a floor.
+  std::optional<DensityReport> density;
 };
 
 /// Makes the packing that `recipe` orders and checks it, independently of how it was made.
