@@ -12,7 +12,9 @@
 #include "tessellate/laguerre/assembly.hpp"
 #include "tessellate/laguerre/errors.hpp"
 #include "tessellate/laguerre/grains.hpp"
+#include "tessellate/laguerre/interfaces.hpp"
 #include "tessellate/laguerre/shape_rounds.hpp"
+#include "tessellate/laguerre/shape_step.hpp"
 #include "tessellate/laguerre/transport.hpp"
 
 namespace packstone {
@@ -22,12 +24,37 @@ using laguerre::CellMoments;
 using laguerre::CellSums;
 using laguerre::Grain;
 using laguerre::Order;
+using laguerre::ShapeGoal;
 using laguerre::Site;
 using laguerre::TransportOutcome;
 
 // In all rounds but the last, measures need not be better than this: the next one changes them.
 constexpr double kRoundTolerance = 0.03;
 constexpr int kRoundSteps = 3;
+
+// The same in the plane, where steps mind the measures too; in the last rounds these have to be
+// nearly right, or the shapes will not be when they are made right.
+constexpr double kEarlyTolerance = 0.3;
+constexpr int kEarlySteps = 1;
+constexpr double kLateTolerance = 0.01;
+constexpr int kLateSteps = 4;
+constexpr int kLateRounds = 4;
+
+// Before that bodies go where their cells are, as often as this, with measures this nearly right.
+constexpr int kSpreadings = 4;
+constexpr double kSpreadTolerance = 0.1;
+constexpr int kSpreadSteps = 3;
+
+// Of the steps in the plane: first, from one round to the next, and last. With less, cells that
+// cannot get the shape ordered pull others out of theirs.
+constexpr double kFirstDamping = 2.0;
+constexpr double kDampingRatio = 0.7;
+constexpr double kLastDamping = 1.0;
+
+// A cell that a step takes apart goes back if more than this part of its measure comes off, in the
+// second try with its neighbors.
+constexpr double kMostLoose = 0.1;
+constexpr int kMostReturns = 2;
 
 // While sites are taken out, and how often that is done at most.
 constexpr double kLooseTolerance = 1e-3;
@@ -73,13 +100,13 @@ class Tessellator {
     const bool moves = options_.ordered_measures || options_.shape_rounds > 0;
     const bool published = !options_.inflate && !moves;
     if (!published) publish();
-    const double factor =
-        options_.inflate ? std::pow(fraction(packing_), -1.0 / box_.dimension) : 1.0;
+    const bool grows = options_.inflate && !steps_in_plane();
+    const double factor = grows ? std::pow(fraction(packing_), -1.0 / box_.dimension) : 1.0;
     grains_ = laguerre::grains_of(packing_, factor);
     sites_ = laguerre::sites_of(box_, grains_, options_.spacing);
     if (moves) {
       set_targets();
-      shape();
+      steps_in_plane() ? shape_in_plane() : shape();
       settle();
     }
     finish();
@@ -96,7 +123,10 @@ class Tessellator {
         box_, laguerre::sites_of(box_, grains, options_.spacing), centers, run_.threads());
     count_all_but(sums.at_wall);
     std::vector<CellShape> shapes;
-    for (const CellMoments& cell : sums.cells) shapes.push_back(shape_of(cell));
+    for (std::size_t g = 0; g < centers.size(); ++g) {
+      shapes.push_back(shape_of(sums.cells[g]));
+      shapes.back().centroid += centers[g];
+    }
     result_.report.published = laguerre::errors_of(packing_, shapes, sums.parts, counts_);
   }
 
@@ -117,7 +147,7 @@ class Tessellator {
     return at_wall;
   }
 
-  // Where it stands does not matter here.
+  // Relative to the point that the moments are about.
   [[nodiscard]] CellShape shape_of(const CellMoments& cell) const {
     if (cell.measure <= 0.0) return {};
     const Vec3 mean = cell.first / cell.measure;
@@ -153,6 +183,100 @@ class Tessellator {
       if (!box_.periodic[a]) return false;
     }
     return true;
+  }
+
+  [[nodiscard]] bool steps_in_plane() const {
+    return box_.dimension == 2 && options_.shape_rounds > 0;
+  }
+
+  void shape_in_plane() {
+    ShapeGoal goal{{}, targets_};
+    for (const Grain& grain : grains_) goal.shapes.push_back(shape_of_body(grain.body));
+    double damping = kFirstDamping;
+    spread_centers();
+    fit_for_round(false);
+    for (int round = 0; round < options_.shape_rounds && !stop_asked(); ++round) {
+      run_.report(
+          {.stage = "shaping cells", .done = static_cast<double>(round) / options_.shape_rounds});
+      const bool late = round + kLateRounds >= options_.shape_rounds;
+      const std::vector<Site> before = sites_;
+      take_step(goal, damping);
+      fit_for_round(late);
+      if (options_.connected) keep_connected(before, late ? kMostReturns : 0);
+      damping = std::max(kLastDamping, kDampingRatio * damping);
+      ++result_.report.shape_rounds;
+    }
+  }
+
+  // Where the packing is denser in some places than in others cells stand far from their bodies, and
+  // many sites have none: the bodies follow. The weights were for where they stood before.
+  void spread_centers() {
+    for (int k = 0; k < kSpreadings && options_.ordered_measures && !stop_asked(); ++k) {
+      fit(kSpreadTolerance, kSpreadSteps);
+      for (std::size_t g = 0; g < grains_.size(); ++g) {
+        const CellMoments& cell = sums_.cells[g];
+        if (cell.measure > 0.0) {
+          grains_[g].center += options_.center_gain / cell.measure * cell.first;
+        }
+        grains_[g].weight = 0.0;
+      }
+      sites_ = laguerre::sites_of(box_, grains_, options_.spacing);
+    }
+  }
+
+  // Where measures are not ordered the present ones are to be kept.
+  void take_step(ShapeGoal& goal, double damping) {
+    for (std::size_t g = 0; g < targets_.size() && !options_.ordered_measures; ++g) {
+      if (sums_.cells[g].measure > 0.0) goal.measures[g] = sums_.cells[g].measure;
+    }
+    const auto interfaces = laguerre::interfaces_of(box_, sites_, run_.threads());
+    laguerre::shape_step(box_, goal, laguerre::centers_of(grains_), sums_, interfaces, damping,
+                         sites_);
+  }
+
+  void fit_for_round(bool late) {
+    if (!options_.ordered_measures) {
+      fit(1e300, 1);
+    } else if (late) {
+      fit(kLateTolerance, kLateSteps);
+    } else {
+      fit(kEarlyTolerance, kEarlySteps);
+    }
+  }
+
+  // What lies apart is taken out, or, where that is much, the step undone.
+  void keep_connected(const std::vector<Site>& before, int returns) {
+    for (int k = 0; k < returns && !stop_asked(); ++k) {
+      std::vector<char> back = cells_far_apart();
+      if (std::count(back.begin(), back.end(), 1) == 0) break;
+      if (k > 0) add_neighbors(back);
+      for (std::size_t i = 0; i < sites_.size(); ++i) {
+        if (back[static_cast<std::size_t>(sites_[i].owner)] != 0) sites_[i] = before[i];
+      }
+      fit_for_round(true);
+    }
+    if (sums_.loose_sites == 0) return;
+    drop_loose();
+    sums_ = laguerre::cell_sums(box_, sites_, laguerre::centers_of(grains_), run_.threads());
+    ++result_.report.diagrams;
+  }
+
+  [[nodiscard]] std::vector<char> cells_far_apart() const {
+    std::vector<char> apart(targets_.size(), 0);
+    for (std::size_t g = 0; g < apart.size(); ++g) {
+      const double loose = sums_.cells[g].measure - sums_.bodies[g].measure;
+      apart[g] = loose > kMostLoose * targets_[g] ? 1 : 0;
+    }
+    return apart;
+  }
+
+  void add_neighbors(std::vector<char>& chosen) const {
+    const std::vector<char> first = chosen;
+    for (const laguerre::Coupling& c : sums_.couplings) {
+      const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
+      if (first[a] != 0) chosen[b] = 1;
+      if (first[b] != 0) chosen[a] = 1;
+    }
   }
 
   void shape() {

@@ -11,8 +11,9 @@
 ///   whole box among each other as they share the packing;
 /// - the balls of each inclusion get one more weight, by which the measures of all cells become
 ///   exactly proportional to those of the inclusions;
-/// - on request the bodies that the balls are put into are stretched, turned and moved until the
-///   cells have the aspect and the orientation that the inclusions have.
+/// - on request the balls (in the plane), or the bodies that they are put into (in space), are
+/// moved
+///   until the cells have the aspect and the orientation that the inclusions have.
 
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,8 @@ struct LaguerreOptions {
   /// Of the balls inside each body, see inscribed_balls() [-]. In [0.01, 1].
   double spacing = 0.5;
 
-  /// Whether bodies grow by fraction^(-1/d) before the balls are put into them.
+  /// Whether bodies grow by fraction^(-1/d) before the balls are put into them. Not so in the plane
+  /// where shapes are ordered: the rounds begin better from bodies that do not overlap.
   bool inflate = true;
 
   /// Whether cells get measures exactly proportional to those of the inclusions.
@@ -48,18 +50,18 @@ struct LaguerreOptions {
   bool keep_wall_cells = true;
 
   /// Whether sites whose cells lie apart from the rest of their owner are taken out, so that cells
-  /// are connected. Only where measures are ordered. Without it long cells get nearer to the aspect
-  /// ordered, by pieces that lie beyond their neighbors.
+  /// are connected. Only where measures are ordered, or shapes in the plane.
   bool connected = true;
 
-  /// Rounds in which the shapes of the cells are brought to those ordered. >= 0; 0: none, and no
-  /// body is moved.
+  /// Rounds in which the shapes of the cells are brought to those ordered: 10 to 20 do. >= 0; 0:
+  /// none, and no body is moved.
   int shape_rounds = 0;
 
-  /// Share of the error of a shape that one round takes back [-]. In (0, 2).
+  /// Share of the error of a shape that one round in space takes back [-]. In (0, 2).
   double shape_gain = 0.6;
 
-  /// Share of the way to the centroid of its cell that a body is moved in one round [-]. In [0, 1].
+  /// Share of the way to the centroid of its cell that a body is moved in one round in space [-].
+  /// In [0, 1].
   double center_gain = 0.8;
 };
 
@@ -90,6 +92,11 @@ struct LaguerreErrors {
   double aspect_spread = 0.0;  ///< Its standard deviation [-].
   double angle_mean = 0.0;     ///< Mean angle between the axes, see angle_between_shapes() [rad].
   double angle_p95 = 0.0;      ///< What 95 % of the angles are below [rad].
+
+  /// Mean distance of the centroid of a cell from the center of its inclusion, over the radius of
+  /// the disk or ball of its measure [-], and the largest.
+  double offset_mean = 0.0;
+  double largest_offset = 0.0;
 
   std::int64_t empty = 0;     ///< Of all cells: those without measure.
   std::int64_t in_parts = 0;  ///< Of all cells: those that are not connected.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "packstone/geometry/measures.hpp"
 
@@ -39,7 +40,21 @@ struct Ratios {
   std::vector<double> measures;  // Over what was ordered, times a common factor.
   std::vector<double> aspects;
   std::vector<double> angles;
+  std::vector<double> offsets;
 };
+
+// Of the centroid from the center of the inclusion, whatever images they stand in, over the radius
+// of the ball of the measure of the cell.
+double offset_of(const Cell& box, const Vec3& center, const CellShape& shape) {
+  using std::numbers::pi;
+  const double radius =
+      box.dimension == 2 ? std::sqrt(shape.measure / pi) : std::cbrt(0.75 * shape.measure / pi);
+  Vec3 off = shape.centroid - center;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (box.periodic[a]) off[a] -= box.size[a] * std::round(off[a] / box.size[a]);
+  }
+  return norm(off) / radius;
+}
 
 Ratios ratios_of(const Packing& packing, const std::vector<CellShape>& shapes,
                  const std::vector<char>& counts) {
@@ -51,6 +66,9 @@ Ratios ratios_of(const Packing& packing, const std::vector<CellShape>& shapes,
     made += shapes[g].measure;
     ordered += order.measure;
     ratios.measures.push_back(shapes[g].measure / order.measure);
+    if (shapes[g].measure > 0.0) {
+      ratios.offsets.push_back(offset_of(packing.cell, packing.inclusions[g].center, shapes[g]));
+    }
     if (order.aspect < kElongated || shapes[g].measure <= 0.0) continue;
     ratios.aspects.push_back(shapes[g].aspect / order.aspect);
     ratios.angles.push_back(angle_between_shapes(packing.cell.dimension, order, shapes[g]));
@@ -74,6 +92,10 @@ LaguerreErrors errors_of(const Packing& packing, const std::vector<CellShape>& s
   if (errors.elongated > 0) {
     errors.aspect_mean = mean_and_spread(ratios.aspects).mean;
     errors.aspect_spread = mean_and_spread(ratios.aspects).spread;
+  }
+  errors.offset_mean = mean_and_spread(ratios.offsets).mean;
+  for (const double offset : ratios.offsets) {
+    errors.largest_offset = std::max(errors.largest_offset, offset);
   }
   errors.angle_mean = mean_and_spread(ratios.angles).mean;
   errors.angle_p95 = percentile_95(ratios.angles);

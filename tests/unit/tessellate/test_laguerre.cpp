@@ -13,7 +13,9 @@
 #include "packstone/geometry/measures.hpp"
 #include "scenes.hpp"
 #include "tessellate/laguerre/grains.hpp"
+#include "tessellate/laguerre/interfaces.hpp"
 #include "tessellate/laguerre/laplacian.hpp"
+#include "tessellate/laguerre/shape_step.hpp"
 #include "tessellate/laguerre/transport.hpp"
 
 using namespace packstone;
@@ -183,14 +185,61 @@ TEST_CASE("every shape in space can be tessellated") {
 }
 
 TEST_CASE("rounds bring the shapes of cells nearer to those ordered") {
-  const Packing packing = ellipses(12, 2.0);
-  const LaguerreErrors before = laguerre_tessellate(packing).report.made;
-  const LaguerreErrors after = laguerre_tessellate(packing, {.shape_rounds = 12}).report.made;
-  CHECK(after.largest_measure_error < 1e-8);
-  CHECK(after.elongated == 144);
-  CHECK(std::abs(after.aspect_mean - 1.0) < std::abs(before.aspect_mean - 1.0));
-  CHECK(after.angle_mean < 0.6 * before.angle_mean);
-  CHECK(after.in_parts == 0);
+  for (const bool connected : {true, false}) {
+    const Packing packing = ellipses(12, 2.0);
+    const LaguerreErrors before = laguerre_tessellate(packing).report.made;
+    const LaguerreResult result =
+        laguerre_tessellate(packing, {.connected = connected, .shape_rounds = 10});
+    const LaguerreErrors& after = result.report.made;
+    CHECK_NOTHROW(check_well_formed(result.tessellation));
+    CHECK(after.largest_measure_error < 1e-8);
+    CHECK(after.elongated == 144);
+    CHECK(std::abs(after.aspect_mean - 1.0) < 0.1);
+    CHECK(after.aspect_spread < 0.7 * before.aspect_spread);
+    CHECK(after.angle_mean < 0.4 * before.angle_mean);
+    CHECK(after.offset_mean < 1.0);
+    CHECK((!connected || after.in_parts == 0));
+  }
+}
+
+TEST_CASE("rounds leave measures alone where these are not ordered") {
+  const Packing packing = ellipses(10, 2.0);
+  const LaguerreErrors without =
+      laguerre_tessellate(packing, {.ordered_measures = false}).report.made;
+  const LaguerreErrors with =
+      laguerre_tessellate(packing, {.ordered_measures = false, .shape_rounds = 6}).report.made;
+  CHECK(with.angle_mean < 0.6 * without.angle_mean);
+  CHECK(with.measure_spread > 0.01);
+}
+
+TEST_CASE("steps converge as Newton's method where nothing stands in their way") {
+  const Packing packing = ellipses(5, 1.3);
+  const auto at = centers(packing);
+  auto sites = plain_sites(packing);
+  laguerre::ShapeGoal goal;
+  for (const Inclusion& inclusion : packing.inclusions) {
+    goal.shapes.push_back(shape_of_body(inclusion.body));
+    goal.measures.push_back(volume(inclusion.body) / fraction(packing));
+  }
+  const auto sums = [&] { return laguerre::cell_sums(packing.cell, sites, at, 1); };
+  const auto misfit = [&] {
+    const auto now = sums();
+    double sum = 0.0;
+    for (std::size_t g = 0; g < at.size(); ++g) {
+      for (const double r :
+           laguerre::shape_residual(goal.shapes[g], goal.measures[g], now.cells[g])) {
+        sum += r * r;
+      }
+    }
+    return std::sqrt(sum / static_cast<double>(at.size()));
+  };
+  const double first = misfit();
+  for (double damping = 1.0; damping > 1e-4; damping *= 0.5) {
+    shape_step(packing.cell, goal, at, sums(), interfaces_of(packing.cell, sites, 1), damping,
+               sites);
+  }
+  CHECK(first > 0.1);
+  CHECK(misfit() < 1e-4 * first);
 }
 
 TEST_CASE("cells at walls keep what they are found with, or do not") {
