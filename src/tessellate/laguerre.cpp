@@ -36,9 +36,9 @@ constexpr int kRoundSteps = 3;
 // nearly right, or the shapes will not be when they are made right.
 constexpr double kEarlyTolerance = 0.3;
 constexpr int kEarlySteps = 1;
-constexpr double kLateTolerance = 0.01;
-constexpr int kLateSteps = 4;
-constexpr int kLateRounds = 4;
+constexpr double kLateTolerance = 0.03;
+constexpr int kLateSteps = 3;
+constexpr int kLateRounds = 3;
 
 // Before that bodies go where their cells are, as often as this, with measures this nearly right.
 constexpr int kSpreadings = 4;
@@ -208,8 +208,8 @@ class Tessellator {
     }
   }
 
-  // Where the packing is denser in some places than in others cells stand far from their bodies, and
-  // many sites have none: the bodies follow. The weights were for where they stood before.
+  // Where the packing is denser in some places than in others cells stand far from their bodies,
+  // and many sites have none: the bodies follow. The weights were for where they stood before.
   void spread_centers() {
     for (int k = 0; k < kSpreadings && options_.ordered_measures && !stop_asked(); ++k) {
       fit(kSpreadTolerance, kSpreadSteps);

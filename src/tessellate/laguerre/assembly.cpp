@@ -147,15 +147,25 @@ class Assembler {
   void finish(double same_place) {
     pool_.merge_near(same_place);
     for (PlacedVertex& corner : corners_) corner = pool_.resolve(corner);
-    std::stable_sort(facets_.begin(), facets_.end(),
-                     [](const Facet& a, const Facet& b) { return a.inner < b.inner; });
     is_corner_.assign(pool_.places().size(), box_.dimension == 2 ? 1 : 0);
     if (box_.dimension == 3) find_corners(same_place);
     number_.assign(pool_.places().size(), -1);
-    for (const Facet& facet : facets_) keep(facet);
+    for (const std::int64_t k : by_inner_cell()) keep(facets_[static_cast<std::size_t>(k)]);
   }
 
  private:
+  // Facets of one cell in the order in which they came.
+  [[nodiscard]] std::vector<std::int64_t> by_inner_cell() const {
+    std::vector<std::int64_t> next(out_.cells.size() + 1, 0), order(facets_.size());
+    for (const Facet& facet : facets_) ++next[static_cast<std::size_t>(facet.inner) + 1];
+    for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
+    for (std::size_t k = 0; k < facets_.size(); ++k) {
+      order[static_cast<std::size_t>(next[static_cast<std::size_t>(facets_[k].inner)]++)] =
+          static_cast<std::int64_t>(k);
+    }
+    return order;
+  }
+
   [[nodiscard]] Vec3 place(const PlacedVertex& v) const {
     return pool_.places()[static_cast<std::size_t>(v.vertex)] + image_shift(box_, v.image);
   }

@@ -31,13 +31,15 @@ class ConvexPolygon {
   /// Takes off all with x.to > half. Returns whether anything went.
   bool cut(const Vec3& to, double half, std::int32_t plane) {
     const std::size_t n = corners_.size();
-    beyond_.resize(n);
+    if (beyond_.size() < n) beyond_.resize(n);
     std::size_t most = 0;
+    double farthest = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      beyond_[k] = corners_[k].at.x * to.x + corners_[k].at.y * to.y - half;
-      if (beyond_[k] > beyond_[most]) most = k;
+      const double beyond = corners_[k].at.x * to.x + corners_[k].at.y * to.y - half;
+      beyond_[k] = beyond;
+      if (beyond > farthest) farthest = beyond, most = k;
     }
-    if (n == 0 || beyond_[most] <= 0.0) return false;
+    if (farthest <= 0.0) return false;
     const double touching = kTouching * std::sqrt(radius_sq_ * norm_sq(to));
     if (beyond_[most] <= touching) return false;
     std::size_t first = most, last = most, count = 1;  // The corners that go, `count` of them.

@@ -110,10 +110,11 @@ PlacedKey placed_key(std::array<KeyMember, 4> members) {
 }
 
 void VertexPool::grow() {
-  table_.assign(std::max<std::size_t>(1024, 4 * keys_.size()), -1);
+  table_.assign(std::max<std::size_t>(1024, 4 * table_.size()), -1);
+  const std::size_t mask = table_.size() - 1;
   for (std::size_t id = 0; id < keys_.size(); ++id) {
-    std::size_t slot = hash_of(keys_[id]) % table_.size();
-    while (table_[slot] >= 0) slot = slot + 1 < table_.size() ? slot + 1 : 0;
+    std::size_t slot = hash_of(keys_[id]) & mask;
+    while (table_[slot] >= 0) slot = (slot + 1) & mask;
     table_[slot] = static_cast<std::int32_t>(id);
   }
 }
@@ -128,8 +129,9 @@ void VertexPool::lay_on_walls(const VertexKey& key, Vec3& at) const {
 
 PlacedVertex VertexPool::find_or_add(const VertexKey& key, const Vec3& at) {
   if (2 * keys_.size() >= table_.size()) grow();
-  std::size_t slot = hash_of(key) % table_.size();
-  for (; table_[slot] >= 0; slot = slot + 1 < table_.size() ? slot + 1 : 0) {
+  const std::size_t mask = table_.size() - 1;
+  std::size_t slot = hash_of(key) & mask;
+  for (; table_[slot] >= 0; slot = (slot + 1) & mask) {
     const std::int32_t id = table_[slot];
     if (keys_[static_cast<std::size_t>(id)] == key) {
       return {id, wraps_[static_cast<std::size_t>(id)]};

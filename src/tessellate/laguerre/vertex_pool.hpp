@@ -79,7 +79,7 @@ class VertexPool {
   std::vector<Vec3> places_;           // Inside the box.
   std::vector<Image> wraps_;           // Periods taken off the place that the key is relative to.
   std::vector<PlacedVertex> becomes_;  // Itself, or one before it.
-  std::vector<std::int32_t> table_;    // Open addressing by key; -1: free.
+  std::vector<std::int32_t> table_;    // Open addressing by key, a power of two; -1: free.
 };
 
 }  // namespace packstone::laguerre
