@@ -1,9 +1,10 @@
 // Laguerre tessellations: the published method, measures as ordered, shapes as ordered.
 //
-//   bench_laguerre plain    [grains] [threads]            ellipses of aspect 2.2, some 10 circles
-//   each bench_laguerre measures [grains] [aspect] [threads] bench_laguerre shapes   [grains]
-//   [aspect] [fraction] [rounds] [connected 0|1] [threads] bench_laguerre volumes  [spheres]
-//   [threads]           in space, log-normal diameters
+//   bench_laguerre plain    [grains] [threads]            ellipses of aspect 2.2, 11 circles each
+//   bench_laguerre measures [grains] [aspect] [threads]
+//   bench_laguerre shapes   [grains] [aspect] [fraction] [rounds] [connected 0|1] [threads]
+//                           packed by advancing layers
+//   bench_laguerre volumes  [spheres] [threads]           in space, log-normal diameters
 //
 // Areas are uniform over a range of 1 to 10, angles uniform, the box periodic. Times are those of
 // the tessellation alone; errors as in LaguerreErrors, angles in degrees.
@@ -137,7 +138,7 @@ int main(int argc, char** argv) {
     run(packed(square, ellipses(whole(2, 10000), number(3, 2.0), 0.75)), {}, whole(4, 1));
   } else if (what == "shapes") {
     const Packing packing =
-        layered(square, ellipses(whole(2, 5000), number(3, 2.0), number(4, 0.80)));
+        layered(square, ellipses(whole(2, 5000), number(3, 2.0), number(4, 0.815)));
     run(packing, {.connected = whole(6, 1) != 0, .shape_rounds = whole(5, 12)}, whole(7, 1));
   } else if (what == "volumes") {
     run(packed(Cell{}, spheres(whole(2, 10000), 0.55)), {}, whole(3, 2));

@@ -51,7 +51,6 @@ class ConvexPolygon {
       return true;
     }
     replace(first, last, n - count, plane);
-    measure_radius();
     return true;
   }
 
@@ -88,7 +87,11 @@ class ConvexPolygon {
     const Corner entry{crossing(before(first), first), plane};
     const Corner exit{crossing(after(last), last), corners_[last].plane};
     kept_.resize(stay + 2);
-    for (std::size_t m = 0, k = after(last); m < stay; ++m, k = after(k)) kept_[m] = corners_[k];
+    radius_sq_ = std::max(norm_sq(entry.at), norm_sq(exit.at));
+    for (std::size_t m = 0, k = after(last); m < stay; ++m, k = after(k)) {
+      kept_[m] = corners_[k];
+      radius_sq_ = std::max(radius_sq_, norm_sq(kept_[m].at));
+    }
     kept_[stay] = entry;
     kept_[stay + 1] = exit;
     std::swap(corners_, kept_);
