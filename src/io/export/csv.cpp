@@ -1,6 +1,6 @@
-#include <charconv>
 #include <utility>
 
+#include "io/export/csv_text.hpp"
 #include "io/export/formats.hpp"
 #include "io/export/placements.hpp"
 #include "io/inclusion_record.hpp"
@@ -37,19 +37,6 @@ std::vector<Column> columns(int dimension) {
           {"quaternion_x", quaternion, 1},
           {"quaternion_y", quaternion, 2},
           {"quaternion_z", quaternion, 3}};
-}
-
-std::string shortest(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
-// RFC 4180: quotes around what holds a separator, a quote or the end of a line; quotes doubled.
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted_text = "\"";
-  for (const char c : text) quoted_text += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted_text + "\"";
 }
 
 std::string heading(const std::vector<Column>& table, int dimension, bool images) {
