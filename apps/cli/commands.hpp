@@ -32,6 +32,7 @@ void add_relax(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_measure(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
+void add_tessellate(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
 void add_new(CLI::App& app, int& exit_code);
 

@@ -86,6 +86,7 @@ int run(int argc, char** argv) {
   cli::add_check(app, exit_code);
   cli::add_measure(app, exit_code);
   cli::add_draw(app, exit_code);
+  cli::add_tessellate(app, exit_code);
   cli::add_export(app, exit_code);
   try {
     app.parse(argc, argv);

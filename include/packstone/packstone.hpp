@@ -33,6 +33,7 @@
 #include "packstone/io/checkpoint_file.hpp"
 #include "packstone/io/draw.hpp"
 #include "packstone/io/export_packing.hpp"
+#include "packstone/io/export_tessellation.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "packstone/io/witness_file.hpp"
 #include "packstone/measure/density.hpp"

@@ -5,7 +5,7 @@ import unittest
 
 from cli_case import ENDLESS, EXAMPLES, Case
 
-COMMANDS = ["new", "pack", "relax", "check", "measure", "draw", "export"]
+COMMANDS = ["new", "pack", "relax", "check", "measure", "draw", "tessellate", "export"]
 
 
 class Usage(Case):
@@ -25,7 +25,7 @@ class Usage(Case):
     def test_version_names_libraries_and_licenses(self):
         text = self.run_program("--version").stdout
         self.assertRegex(text, r"^packstone \d+\.\d+\.\d+ \(Apache-2\.0\)")
-        for library in ["oneTBB", "HDF5", "nlohmann-json", "toml++", "CLI11", "BSD-3-Clause"]:
+        for library in ["oneTBB", "HDF5", "Eigen", "nlohmann-json", "toml++", "CLI11", "BSD-3-Clause"]:
             self.assertIn(library, text)
         self.assertIn("No component under the GPL", text)
 
