@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
-DEMO := fibers spheres ellipses_2d dense_ellipsoids relaxed_fibers
+DEMO := fibers spheres ellipses_2d grains_2d dense_ellipsoids relaxed_fibers
 
 .PHONY: help setup setup-test build demo test validate bench build-reproduce reproduce reproduce-ghossein reproduce-salnikov reproduce-ilin pictures format check-format layers tidy sanitize tsan fuzz coverage install clean
 
@@ -19,7 +19,7 @@ build: setup  ## Install what is missing, build build/packstone
 	cmake --preset release $(CMAKE_FLAGS)
 	cmake --build --preset release -j $(BUILD_JOBS)
 
-demo: setup  ## Build, then pack, check, draw and export the examples into demo/
+demo: setup  ## Build, then pack, check, draw, tessellate and export the examples into demo/
 	cmake --preset release -DPACKSTONE_BUILD_TESTS=OFF -DPACKSTONE_BUILD_BENCHMARKS=OFF $(CMAKE_FLAGS)
 	cmake --build --preset release -j $(BUILD_JOBS)
 	tools/demo $(PROGRAM) demo $(DEMO)

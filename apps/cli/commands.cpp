@@ -20,7 +20,23 @@ std::string check_number(const std::string& text, bool zero_is_allowed) {
   return text + "; allowed is a number " + (zero_is_allowed ? ">= 0" : "> 0");
 }
 
+std::string check_color(const std::string& word) {
+  return color_words().count(word) != 0 ? "" : word + "; allowed is group, size or orientation";
+}
+
 }  // namespace
+
+const std::map<std::string, ColorBy>& color_words() {
+  static const std::map<std::string, ColorBy> words{
+      {"group", ColorBy::group}, {"size", ColorBy::size}, {"orientation", ColorBy::orientation}};
+  return words;
+}
+
+void add_color(CLI::App& command, std::string& color) {
+  command.add_option("--color-by", color, "group [default], size or orientation")
+      ->check(CLI::Validator(check_color, ""))
+      ->type_name("WHAT");
+}
 
 void add_packing(CLI::App& command, std::string& path) {
   command.add_option("PACKING", path, "Packing (.json, .h5)")->type_name("")->required();

@@ -5,7 +5,10 @@
 /// the exit code.
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
+
+#include "packstone/io/draw.hpp"
 
 namespace packstone::cli {
 
@@ -22,6 +25,9 @@ void add_packing(CLI::App& command, std::string& path);
 void add_threads(CLI::App& command, int& threads);
 void add_time_limit(CLI::App& command, std::string& limit);
 void add_min_gap(CLI::App& command, double& gap);
+/// What the colors of a picture say; a word of color_words().
+void add_color(CLI::App& command, std::string& color);
+[[nodiscard]] const std::map<std::string, ColorBy>& color_words();
 
 /// Refuse what is no finite number >= 0, or > 0.
 [[nodiscard]] CLI::Validator number_at_least_zero();

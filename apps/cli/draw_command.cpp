@@ -1,5 +1,4 @@
 #include <cmath>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -19,13 +18,6 @@ struct DrawArguments {
   int threads = 0;
 };
 
-const std::map<std::string, ColorBy> kColors{
-    {"group", ColorBy::group}, {"size", ColorBy::size}, {"orientation", ColorBy::orientation}};
-
-std::string check_color(const std::string& word) {
-  return kColors.count(word) != 0 ? "" : word + "; allowed is group, size or orientation";
-}
-
 CLI::Validator degrees_within(int most) {
   const auto check = [most](const std::string& text) {
     double degrees = 0.0;
@@ -36,9 +28,7 @@ CLI::Validator degrees_within(int most) {
 }
 
 void add_look(CLI::App& command, DrawOptions& options, std::string& color) {
-  command.add_option("--color-by", color, "group [default], size or orientation")
-      ->check(CLI::Validator(check_color, ""))
-      ->type_name("WHAT");
+  add_color(command, color);
   command.add_flag("--cut", options.cut, "Cut bodies at the faces of the cell");
   command.add_option("--azimuth", options.azimuth, "Turn of the camera about z [35]")
       ->type_name("DEGREES")
@@ -71,7 +61,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   command->footer("Example: packstone draw fibers.json -o fibers.png --color-by orientation");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".png", ".svg"});
-    arguments->options.color_by = kColors.at(arguments->color);
+    arguments->options.color_by = color_words().at(arguments->color);
     draw_packing(arguments->output, read_packing(arguments->packing), arguments->options,
                  RunContext{}.threads(arguments->threads));
     exit_code = kDone;

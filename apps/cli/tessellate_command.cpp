@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "interrupt.hpp"
 #include "output_file.hpp"
 #include "packstone/core/error.hpp"
+#include "packstone/io/draw_tessellation.hpp"
 #include "packstone/io/export_tessellation.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "packstone/recipe/recipe.hpp"
@@ -29,6 +31,8 @@ struct TessellateArguments {
   bool no_keep_wall_cells = false;
   bool no_connected = false;
   bool published = false;
+  std::string color = "group";
+  bool inclusions = false;
   std::string time_limit;
   int threads = 0;
   bool quiet = false;
@@ -165,16 +169,48 @@ int exit_code_of(LaguerreStop stop) {
   return kInterrupted;
 }
 
-int run_tessellate(const TessellateArguments& arguments) {
-  for (const std::string& output : arguments.outputs) {
-    check_output_file(output, {".vtu", ".csv"});
+bool is_picture(const std::filesystem::path& path) {
+  return path.extension() == ".png" || path.extension() == ".svg";
+}
+
+// Polyhedra have fewer formats than polygons.
+void check_outputs(const TessellateArguments& arguments, const Packing& packing) {
+  if (packing.cell.dimension == 2) return;
+  for (const std::filesystem::path output : arguments.outputs) {
+    if (output.extension() != ".geo" && output.extension() != ".svg") continue;
+    throw InvalidArgument("-o " + output.string() + ": holds polygons, and the cells of " +
+                          arguments.packing + " are polyhedra; write .vtu, .tess, .csv or .png");
   }
-  const Packing packing = read_packing(arguments.packing);
-  const LaguerreResult result = tessellate_with_progress(packing, arguments);
-  try {
-    for (const std::string& output : arguments.outputs) {
+  if (arguments.inclusions) {
+    throw InvalidArgument("--inclusions: polyhedra hide the inclusions inside them");
+  }
+}
+
+void write_files(const LaguerreResult& result, const Packing& packing,
+                 const TessellateArguments& arguments) {
+  DrawTessellationOptions look;
+  look.picture.color_by = color_words().at(arguments.color);
+  look.picture.cut = packing.cell.dimension == 2;
+  look.inclusions = arguments.inclusions;
+  for (const std::string& output : arguments.outputs) {
+    if (is_picture(output)) {
+      draw_tessellation(output, result.tessellation, packing, look,
+                        RunContext{}.threads(arguments.threads));
+    } else {
       export_tessellation(output, result.tessellation, packing);
     }
+  }
+}
+
+int run_tessellate(const TessellateArguments& arguments) {
+  for (const std::string& output : arguments.outputs) {
+    check_output_file(output, {".vtu", ".tess", ".geo", ".csv", ".svg", ".png"});
+  }
+  const Packing packing = read_packing(arguments.packing);
+  check_outputs(arguments, packing);
+  const LaguerreResult result = tessellate_with_progress(packing, arguments);
+  try {
+    write_files(result, packing, arguments);
   } catch (const FileError& error) {
     fmt::print(stderr, "packstone: {}\n", error.what());
     return kHonestNo;
@@ -215,16 +251,19 @@ void add_tessellate(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("tessellate", "Polygons or polyhedra, one for each inclusion");
   add_packing(*command, arguments->packing);
-  command->add_option("-o,--output", arguments->outputs, "By ending: .vtu, .csv")
+  command
+      ->add_option("-o,--output", arguments->outputs, "By ending: .vtu .tess .geo .csv .svg .png")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->required();
   add_cell_options(*command, *arguments);
+  add_color(*command, arguments->color);
+  command->add_flag("--inclusions", arguments->inclusions, "Draw the inclusions over the cells");
   add_time_limit(*command, arguments->time_limit);
   add_threads(*command, arguments->threads);
   command->add_flag("--quiet", arguments->quiet, "No progress, no summary");
   command->add_flag("--json", arguments->json, "Summary as one JSON object");
-  command->footer("Example: packstone tessellate ellipses.json -o cells.vtu -o cells.csv");
+  command->footer("Example: packstone tessellate ellipses.json -o cells.vtu -o cells.png");
   command->callback([arguments, &exit_code] { exit_code = run_tessellate(*arguments); });
 }
 

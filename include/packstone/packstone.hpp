@@ -32,6 +32,7 @@
 #include "packstone/geometry/support.hpp"
 #include "packstone/io/checkpoint_file.hpp"
 #include "packstone/io/draw.hpp"
+#include "packstone/io/draw_tessellation.hpp"
 #include "packstone/io/export_packing.hpp"
 #include "packstone/io/export_tessellation.hpp"
 #include "packstone/io/packing_file.hpp"

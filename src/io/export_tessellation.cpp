@@ -15,10 +15,17 @@ WriteFormat format_by_ending(const std::filesystem::path& path) {
   const std::filesystem::path ending = path.extension();
   if (ending == ".vtu") return write_cells_vtu;
   if (ending == ".csv") return write_cells_csv;
-  throw InvalidArgument(path.string() + ": exports of tessellations end in .vtu or .csv");
+  if (ending == ".tess") return write_cells_tess;
+  if (ending == ".geo") return write_cells_geo;
+  throw InvalidArgument(path.string() +
+                        ": exports of tessellations end in .vtu, .csv, .tess or .geo");
 }
 
-void check_belongs(const Tessellation& tessellation, const Packing& packing) {
+}  // namespace
+
+void check_match(const Tessellation& tessellation, const Packing& packing) {
+  check_well_formed(packing);
+  check_well_formed(tessellation);
   if (tessellation.box == packing.cell && tessellation.cells.size() == packing.inclusions.size()) {
     return;
   }
@@ -26,8 +33,6 @@ void check_belongs(const Tessellation& tessellation, const Packing& packing) {
                         " cells, the packing " + std::to_string(packing.inclusions.size()) +
                         " inclusions, or their boxes differ");
 }
-
-}  // namespace
 
 std::vector<double> ordered_measures(const Packing& packing) {
   std::vector<double> ordered;
@@ -41,9 +46,10 @@ std::vector<double> ordered_measures(const Packing& packing) {
 void export_tessellation(const std::filesystem::path& path, const Tessellation& tessellation,
                          const Packing& packing) {
   const WriteFormat write = format_by_ending(path);
-  check_well_formed(packing);
-  check_well_formed(tessellation);
-  check_belongs(tessellation, packing);
+  check_match(tessellation, packing);
+  if (write == write_cells_geo && tessellation.box.dimension == 3) {
+    throw InvalidArgument(path.string() + ": .geo holds polygons; the cells are polyhedra");
+  }
   AtomicFile file(path);
   ByteWriter out(file);
   write(out, tessellation, packing);

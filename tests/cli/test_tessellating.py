@@ -67,12 +67,28 @@ class Tessellating(Case):
                          "--no-ordered-measures")
         self.assertEqual((self.folder / "c.csv").read_text(), tables["--published"])
 
+    def test_every_format_of_polygons_comes_from_one_run(self):
+        self.pack_ellipses()
+        names = ["c.csv", "c.geo", "c.png", "c.svg", "c.tess", "c.vtu"]
+        self.run_program("tessellate", "e.json", "--color-by", "orientation", "--inclusions",
+                         *[word for name in names for word in ("-o", name)])
+        self.assertEqual(self.files(), [*names, "e.json", "e.toml"])
+        self.assertIn("Periodic Curve", (self.folder / "c.geo").read_text())
+        self.assertTrue((self.folder / "c.tess").read_text().startswith("***tess"))
+        self.assertIn("<svg", (self.folder / "c.svg").read_text())
+        self.assertEqual((self.folder / "c.png").read_bytes()[:4], b"\x89PNG")
+
     def test_inclusions_in_space_get_polyhedra(self):
         self.run_program("pack", EXAMPLES / "spheres.toml", "-o", "s.json", "--quiet")
         self.run_program("tessellate", "s.json", "-o", "c.csv", "-o", "c.vtu", "--quiet")
         rows = self.table("c.csv")
         self.assertEqual(len(rows), len(self.read("s.json")["inclusions"]))
         self.assertTrue(all(int(row["neighbors"]) >= 4 for row in rows))
+        for name in ["c.geo", "c.svg"]:
+            done = self.run_program("tessellate", "s.json", "-o", name, code=2)
+            self.assertIn("the cells of s.json are polyhedra; write .vtu", done.stderr)
+        self.run_program("tessellate", "s.json", "-o", "c.tess", "--inclusions", code=2)
+        self.assertNotIn("c.tess", self.files())
 
     def test_ctrl_c_keeps_the_cells_so_far(self):
         self.pack_ellipses()

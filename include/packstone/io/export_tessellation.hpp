@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Tessellations for other programs: VTK polygons and polyhedra, a table of the cells.
+/// Tessellations for other programs: VTK, Neper, Gmsh, a table of the cells.
 
 #include <filesystem>
 
@@ -18,7 +18,8 @@ namespace packstone {
 ///
 /// @param packing  What the tessellation was made of: one inclusion per cell, in order.
 ///
-/// Errors: throws InvalidArgument for an unknown ending, or a tessellation or a packing that is not
+/// Errors: throws InvalidArgument for an unknown ending, .geo of polyhedra, or a tessellation or a
+/// packing that is not
 ///         well formed or does not belong to the other; FileError when the file cannot be written.
 void export_tessellation(const std::filesystem::path& path, const Tessellation& tessellation,
                          const Packing& packing);

@@ -46,24 +46,25 @@ Vec3 plane_axis_color(const Vec3& axis) {
   return {channel(0), channel(1), channel(2)};
 }
 
+// Red, green, blue for x, y, z; a floor keeps every body readable.
+Vec3 axis_color(int dimension, const Vec3& axis) {
+  if (dimension == 2) return plane_axis_color(axis);
+  const auto channel = [](double c) { return to_linear(0.12 + 0.83 * std::abs(c)); };
+  return {channel(axis.x), channel(axis.y), channel(axis.z)};
+}
+
 Vec3 orientation_color(const Body& body) {
   const Vec3 axis = long_axis(body);
   if (axis == Vec3{}) return from_hex(0xb0b0b0);
-  if (dimension(kind(body)) == 2) return plane_axis_color(axis);
-  // Red, green, blue for x, y, z; a floor keeps every body readable.
-  const auto channel = [](double c) { return to_linear(0.12 + 0.83 * std::abs(c)); };
-  return {channel(axis.x), channel(axis.y), channel(axis.z)};
+  return axis_color(dimension(kind(body)), axis);
 }
 
 double equivalent_size(const Body& body) {
   return std::pow(volume(body), 1.0 / dimension(kind(body)));
 }
 
-std::vector<Vec3> size_colors(const Packing& packing) {
-  std::vector<double> sizes;
-  for (const Inclusion& inclusion : packing.inclusions) {
-    sizes.push_back(equivalent_size(inclusion.body));
-  }
+std::vector<Vec3> size_colors(const std::vector<double>& sizes) {
+  if (sizes.empty()) return {};
   const auto [least, greatest] = std::minmax_element(sizes.begin(), sizes.end());
   std::vector<Vec3> colors;
   for (double size : sizes) {
@@ -72,6 +73,14 @@ std::vector<Vec3> size_colors(const Packing& packing) {
     colors.push_back(ramp(span > 1e-9 * *greatest ? (size - *least) / span : 0.4));
   }
   return colors;
+}
+
+std::vector<Vec3> size_colors(const Packing& packing) {
+  std::vector<double> sizes;
+  for (const Inclusion& inclusion : packing.inclusions) {
+    sizes.push_back(equivalent_size(inclusion.body));
+  }
+  return size_colors(sizes);
 }
 
 }  // namespace
@@ -84,6 +93,23 @@ std::vector<Vec3> inclusion_colors(const Packing& packing, ColorBy color_by) {
                                                 : orientation_color(inclusion.body));
   }
   return colors;
+}
+
+std::vector<Vec3> cell_colors(const Tessellation& tessellation, ColorBy color_by) {
+  const int dimension = tessellation.box.dimension;
+  std::vector<Vec3> colors;
+  if (color_by == ColorBy::group) {
+    for (const TessellationCell& cell : tessellation.cells) {
+      colors.push_back(group_color(cell.group));
+    }
+    return colors;
+  }
+  std::vector<double> sizes;
+  for (const CellShape& shape : cell_shapes(tessellation)) {
+    sizes.push_back(std::pow(shape.measure, 1.0 / dimension));
+    colors.push_back(axis_color(dimension, shape.axes.col_x));
+  }
+  return color_by == ColorBy::size ? size_colors(sizes) : colors;
 }
 
 double to_srgb(double linear) noexcept {

@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "io/draw/cells_3d.hpp"
 #include "io/draw/palette.hpp"
 #include "io/draw/solid.hpp"
+#include "io/draw/triangles.hpp"
 #include "packstone/core/parallel.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/bounds.hpp"
@@ -81,40 +83,31 @@ struct Hit {
   Vec3 color;
 };
 
-// The solids under Embree's bounding volume hierarchy (I. Wald et al., ACM Trans. Graph. 33 (2014)
-// 143); the intersections are ours, so that curved surfaces stay exact at any zoom.
+// Solids and triangles under Embree's bounding volume hierarchy (I. Wald et al., ACM Trans. Graph.
+// 33 (2014) 143); the intersections with solids are ours, so that curved surfaces stay exact at any
+// zoom.
 class Scene {
  public:
-  Scene(std::vector<Solid> solids, const Box& clip)
+  Scene(std::vector<Solid> solids, Triangles triangles, const Box& clip)
       : solids_(std::move(solids)),
+        triangles_(std::move(triangles)),
         clip_(clip),
         device_(rtcNewDevice(nullptr)),
         scene_(rtcNewScene(device_.get())) {
-    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(solids_.size()));
-    rtcSetGeometryUserData(geometry, this);
-    rtcSetGeometryBoundsFunction(geometry, &Scene::on_bounds, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, &Scene::on_intersect);
-    rtcSetGeometryOccludedFunction(geometry, &Scene::on_occluded);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
+    attach_solids();
+    if (!triangles_.corners.empty()) attach_triangles();
     rtcCommitScene(scene_.get());
   }
 
   [[nodiscard]] Box bounds() const {
     Box all = clip_;
-    for (const Solid& solid : solids_) {
-      const Box box = bounds_of(solid, clip_);
-      for (std::size_t a = 0; a < 3; ++a) {
-        all.low[a] = std::min(all.low[a], box.low[a]);
-        all.high[a] = std::max(all.high[a], box.high[a]);
-      }
-    }
+    for (const Solid& solid : solids_) grow(all, bounds_of(solid, clip_));
+    for (const Vec3& point : triangles_.points) grow(all, {point, point});
     return all;
   }
 
   [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
+  [[nodiscard]] const Triangles& triangles() const { return triangles_; }
 
   [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray) const {
     RTCIntersectContext context;
@@ -124,6 +117,7 @@ class Scene {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_.get(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    if (query.hit.geomID == kTriangles) return triangle_hit(query);
     const Solid& solid = solids_[query.hit.primID];
     // The same rounded ray as in the query: at grazing incidence another one might miss.
     const Crossing c = visible(solid, from_embree(query.ray));
@@ -145,6 +139,55 @@ class Scene {
   struct ReleaseScene {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   };
+
+  // Geometries by number, in the order in which they are attached.
+  static constexpr unsigned kTriangles = 1;
+
+  void attach_solids() {
+    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(solids_.size()));
+    rtcSetGeometryUserData(geometry, this);
+    rtcSetGeometryBoundsFunction(geometry, &Scene::on_bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, &Scene::on_intersect);
+    rtcSetGeometryOccludedFunction(geometry, &Scene::on_occluded);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+  }
+
+  void attach_triangles() {
+    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               triangles_.points.size()));
+    for (const Vec3& point : triangles_.points) {
+      for (std::size_t a = 0; a < 3; ++a) *points++ = static_cast<float>(point[a]);
+    }
+    auto* corners = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(unsigned), triangles_.corners.size()));
+    for (const auto& triangle : triangles_.corners) {
+      corners = std::copy(triangle.begin(), triangle.end(), corners);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+  }
+
+  static void grow(Box& all, const Box& box) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      all.low[a] = std::min(all.low[a], box.low[a]);
+      all.high[a] = std::max(all.high[a], box.high[a]);
+    }
+  }
+
+  // Both sides are lit: the normal looks back along the ray.
+  [[nodiscard]] Hit triangle_hit(const RTCRayHit& query) const {
+    const Vec3 normal = normalized(Vec3{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z});
+    const Vec3 direction = from_embree(query.ray).direction;
+    return {query.ray.tfar, dot(normal, direction) > 0.0 ? -normal : normal,
+            triangles_.colors[query.hit.primID]};
+  }
 
   static RTCRay to_embree(const Ray& ray, double reach) {
     RTCRay query{};
@@ -211,6 +254,7 @@ class Scene {
   }
 
   std::vector<Solid> solids_;
+  Triangles triangles_;
   Box clip_;
   std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
   std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;
@@ -222,7 +266,7 @@ class Camera {
  public:
   // Looks at the middle of `box`, far enough away that lines stay almost parallel; the solids fill
   // the picture but for a margin.
-  Camera(const std::vector<Solid>& solids, const Box& box, const DrawOptions& options)
+  Camera(const Scene& scene, const Box& box, const DrawOptions& options)
       : aspect_(static_cast<double>(options.width) / options.height) {
     const double azimuth = options.azimuth * std::numbers::pi / 180.0;
     const double elevation = options.elevation * std::numbers::pi / 180.0;
@@ -233,7 +277,7 @@ class Camera {
     forward_ = -back;
     const Vec3 middle = 0.5 * (box.low + box.high);
     eye_ = middle + 2.6 * norm(box.high - box.low) * back;
-    frame(solids);
+    frame(scene);
   }
 
   // x, y in [0, 1] from the lower left corner.
@@ -261,13 +305,19 @@ class Camera {
     return at;
   }
 
-  void frame(const std::vector<Solid>& solids) {
+  void frame(const Scene& scene) {
     Vec2 low{kInfinity, kInfinity};
     Vec2 high{-kInfinity, -kInfinity};
-    for (const Solid& solid : solids) {
+    for (const Solid& solid : scene.solids()) {
       if (solid.clipped) continue;  // inside the cell, whose edges are solids too
       low = {std::min(low.x, -edge(solid, -right_)), std::min(low.y, -edge(solid, -up_))};
       high = {std::max(high.x, edge(solid, right_)), std::max(high.y, edge(solid, up_))};
+    }
+    for (const Vec3& point : scene.triangles().points) {
+      const Vec3 p = point - eye_;
+      const Vec2 at{dot(p, right_) / dot(p, forward_), dot(p, up_) / dot(p, forward_)};
+      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
     constexpr double margin = 1.05;
     center_u_ = 0.5 * (low.x + high.x);
@@ -382,12 +432,9 @@ Vec3 pixel(const Shader& shader, const Camera& camera, const DrawOptions& option
   return sum / static_cast<double>(count);
 }
 
-}  // namespace
-
-Image picture_3d(const Packing& packing, const DrawOptions& options, RunContext& run) {
-  const Scene scene(all_solids(packing, options), {{0, 0, 0}, packing.cell.size});
+Image picture_of(const Scene& scene, const DrawOptions& options, RunContext& run) {
   const Box box = scene.bounds();
-  const Camera camera(scene.solids(), box, options);
+  const Camera camera(scene, box, options);
   const Shader shader(scene, box, camera);
   Image image(options.width, options.height);
   // Embree limits the pool of threads to the machine's; asking for more would only draw a warning.
@@ -406,6 +453,21 @@ Image picture_3d(const Packing& packing, const DrawOptions& options, RunContext&
     run.report({.stage = "drawing", .done = static_cast<double>(top + rows) / options.height});
   }
   return image;
+}
+
+}  // namespace
+
+Image picture_3d(const Packing& packing, const DrawOptions& options, RunContext& run) {
+  const Scene scene(all_solids(packing, options), {}, {{0, 0, 0}, packing.cell.size});
+  return picture_of(scene, options, run);
+}
+
+Image cells_3d(const Tessellation& tessellation, const DrawOptions& options, RunContext& run) {
+  std::vector<Solid> edges = outer_edges(tessellation);
+  add_edges(tessellation.box, edges);
+  const Scene scene(std::move(edges), outer_facets(tessellation, options.color_by),
+                    {{0, 0, 0}, tessellation.box.size});
+  return picture_of(scene, options, run);
 }
 
 }  // namespace packstone::draw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace packstone {
@@ -37,8 +38,10 @@ class LoopTracer {
   }
 
  private:
-  // Angle by which the way turns to the left from one edge to the next, in (-pi, pi].
+  // Angle by which the way turns to the left from one edge to the next, in [-pi, pi). To turn back
+  // is to turn to the right about the end of a line.
   [[nodiscard]] double left_turn(std::size_t edge, std::size_t then) const {
+    if (edges_[then].to == edges_[edge].from) return -std::numbers::pi;
     const Vec3 in = points_[edges_[edge].to] - points_[edges_[edge].from];
     const Vec3 out = points_[edges_[then].to] - points_[edges_[then].from];
     return std::atan2(in.x * out.y - in.y * out.x, dot(in, out));

@@ -53,6 +53,33 @@ void check_with_vtk(const Packing& packing, const Tessellation& t, std::size_t c
   test::run_python("read_cells_vtu.py", arguments.str());
 }
 
+void check_with_gmsh(const Packing& packing, const Tessellation& t) {
+  const test::TemporaryFolder folder;
+  export_tessellation(folder / "cells.geo", t, packing);
+  std::ostringstream arguments;
+  arguments.precision(17);
+  const auto& per = t.box.periodic;
+  arguments << (folder / "cells.geo").string() << " " << t.box.size.x << " " << t.box.size.y << " "
+            << (per[0] || per[1] ? "" : "-") << (per[0] ? "x" : "") << (per[1] ? "y" : "");
+  for (const CellShape& shape : cell_shapes(t)) arguments << " " << shape.measure;
+  test::run_python("mesh_geo.py", arguments.str());
+}
+
+void check_tess(const Packing& packing, const Tessellation& t) {
+  const test::TemporaryFolder folder;
+  export_tessellation(folder / "cells.tess", t, packing);
+  std::ostringstream arguments;
+  arguments.precision(17);
+  const auto& per = t.box.periodic;
+  arguments << (folder / "cells.tess").string() << " " << t.box.dimension << " " << t.box.size.x
+            << " " << t.box.size.y << " " << t.box.size.z << " -";
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (per[a] && t.box.size[a] > 0.0) arguments << "xyz"[a];
+  }
+  arguments << " " << t.cells.size();
+  test::run_python("read_tess.py", arguments.str());
+}
+
 TEST_CASE("cell_parts: what touches in a corner only is apart") {
   const Tessellation t = test::cells_in_parts();
   CHECK_NOTHROW(check_well_formed(t));
@@ -154,12 +181,38 @@ TEST_CASE("VTK reads closed polyhedra whose volumes are those of the cells") {
   check_with_vtk(packing, laguerre_tessellate(packing, {.connected = false}).tessellation, 27);
 }
 
+TEST_CASE("Gmsh meshes polygons to the areas of the cells, opposite faces matched") {
+  for (const bool periodic : {true, false}) {
+    const Packing packing = test::jittered_ellipses(4, true, periodic);
+    check_with_gmsh(packing, laguerre_tessellate(packing).tessellation);
+  }
+  check_with_gmsh(test::cells_in_parts_packing(), test::cells_in_parts());
+}
+
+TEST_CASE("a .tess file keeps what its format promises, in 2D and 3D, periodic or not") {
+  for (const bool x : {true, false}) {
+    for (const bool y : {true, false}) {
+      const Packing flat = test::jittered_ellipses(4, x, y);
+      check_tess(flat, laguerre_tessellate(flat).tessellation);
+      const Packing solid = test::jittered_bodies(2, {x, y, false});
+      check_tess(solid, laguerre_tessellate(solid).tessellation);
+    }
+  }
+  const Packing solid = test::jittered_bodies(3, {true, true, true});
+  check_tess(solid, laguerre_tessellate(solid, {.connected = false}).tessellation);
+  check_tess(test::cells_in_parts_packing(), test::cells_in_parts());
+}
+
 TEST_CASE("exports of tessellations refuse unknown endings and what does not belong together") {
   const test::TemporaryFolder folder;
   const Packing packing = test::cells_in_parts_packing();
   Tessellation t = test::cells_in_parts();
   CHECK_THROWS_WITH(export_tessellation("cells.obj", t, packing),
                     Catch::StartsWith("cells.obj: exports of tessellations end in .vtu"));
+  const Packing solid = test::jittered_bodies(2, {true, true, true});
+  CHECK_THROWS_WITH(
+      export_tessellation(folder / "c.geo", laguerre_tessellate(solid).tessellation, solid),
+      Catch::EndsWith(".geo holds polygons; the cells are polyhedra"));
   t.cells.pop_back();
   CHECK_THROWS_WITH(export_tessellation(folder / "cells.csv", t, packing),
                     Catch::Contains("3 cells") && Catch::Contains("4 inclusions"));
