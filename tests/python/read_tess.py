@@ -85,9 +85,10 @@ for k in numbered(number()):
     assert abs(dot(normal, normal) - 1) < 1e-12
     assert all(abs(dot(normal, vertices[v]) - d) < 1e-7 for v in faces[k])
     around = [0.0, 0.0, 0.0]
-    for a, b in zip(faces[k], faces[k][1:] + faces[k][:1]):
-        around = [x + y for x, y in zip(around, cross(vertices[a], vertices[b]))]
-    assert dot(around, normal) > 0, "corners run around the normal"
+    spokes = [minus(vertices[v], vertices[faces[k][0]]) for v in faces[k][1:]]
+    for a, b in zip(spokes, spokes[1:]):
+        around = [x + y for x, y in zip(around, cross(a, b))]
+    assert dot(around, normal) >= 0, "corners run around the normal"
     expect("0", "-1" if dimension == 2 else "0", "0", "0", "0")
 
 
@@ -218,7 +219,7 @@ if any(periodic):
     for k, at in vertices.items():
         if k in moved:
             continue
-        at = tuple(round(x / s, 7) % 1 if p else round(x, 7) for x, s, p in zip(at, size, periodic))
+        at = tuple(round(x / s, 11) % 1 if p else round(x, 11) for x, s, p in zip(at, size, periodic))
         assert at not in places, (k, places[at])
         places[at] = k
 expect("***end")

@@ -1,7 +1,8 @@
 #include "io/draw/cells_3d.hpp"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "io/draw/palette.hpp"
@@ -34,6 +35,23 @@ std::vector<OuterFacet> outer_facets_of(const Tessellation& t) {
   return list;
 }
 
+// Facets of one cell that meet at less than this are one surface for the eye: cosine of 25 degrees.
+constexpr double kSmooth = 0.906;
+
+Vec3 normal_of(const Tessellation& t, const OuterFacet& facet) {
+  const std::vector<Vec3> at = positions(t, facet.corners);
+  Vec3 normal;
+  for (std::size_t k = 2; k < at.size(); ++k) normal += cross(at[k - 1] - at[0], at[k] - at[0]);
+  return norm_sq(normal) > 0.0 ? normalized(normal) : normal;
+}
+
+// What lies to the sides of an edge: so far one facet of `cell`.
+struct Sides {
+  std::size_t cell = 0;
+  Vec3 normal;
+  bool shown = true;  // At the rim of all, or between facets that differ.
+};
+
 }  // namespace
 
 Triangles outer_facets(const Tessellation& tessellation, ColorBy color_by) {
@@ -58,17 +76,25 @@ std::vector<Solid> outer_edges(const Tessellation& tessellation) {
   const double radius = 0.001 * norm(tessellation.box.size);
   const Vec3 color{0.03, 0.03, 0.035};
   PlacedCorners points;
-  std::set<std::pair<std::size_t, std::size_t>> edges;
+  std::map<std::pair<std::size_t, std::size_t>, Sides> edges;
   for (const OuterFacet& facet : outer_facets_of(tessellation)) {
+    const Vec3 normal = normal_of(tessellation, facet);
     for (std::size_t k = 0; k < facet.corners.size(); ++k) {
       const std::size_t a = points.number(facet.corners[k]);
       const std::size_t b = points.number(facet.corners[(k + 1) % facet.corners.size()]);
-      edges.emplace(std::min(a, b), std::max(a, b));
+      const auto [edge, first] =
+          edges.try_emplace({std::min(a, b), std::max(a, b)}, Sides{facet.cell, normal});
+      if (first) continue;
+      Sides& sides = edge->second;
+      // The corners run as for the inner cell, so the sign of the normal means nothing.
+      sides.shown = sides.cell != facet.cell || std::abs(dot(sides.normal, normal)) < kSmooth;
     }
   }
   const std::vector<Vec3> at = points.positions(tessellation);
   std::vector<Solid> rods;
-  for (const auto& [a, b] : edges) {
+  for (const auto& [ends, sides] : edges) {
+    if (!sides.shown) continue;
+    const auto& [a, b] = ends;
     const Vec3 along = at[b] - at[a];
     const double length = norm(along);
     if (length <= 0.0) continue;

@@ -16,7 +16,7 @@ namespace packstone::draw {
 /// and those to periodic images.
 [[nodiscard]] Triangles outer_facets(const Tessellation& tessellation, ColorBy color_by);
 
-/// Their edges as thin rods.
+/// Edges between facets of different cells, and those where a cell has a marked edge, as thin rods.
 [[nodiscard]] std::vector<Solid> outer_edges(const Tessellation& tessellation);
 
 }  // namespace packstone::draw

@@ -47,6 +47,7 @@ void write_surfaces(ByteWriter& out, const UnitCellMap& map) {
     std::vector<std::string> of_face;
     for (const auto& loop : map.faces[f].loops) {
       std::vector<std::string> steps;
+      steps.reserve(loop.size());
       for (const MapStep& step : loop) steps.push_back(signed_tag(step));
       out.text("Curve Loop(" + tag(loops) + ") = " + list(steps) + ";\n");
       of_face.push_back(tag(loops++));

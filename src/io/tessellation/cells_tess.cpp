@@ -189,7 +189,8 @@ class TessFile {
     for (std::size_t k = 2; k < at.size(); ++k) {
       normal += cross(at[k - 1] - at[0], at[k] - at[0]);
     }
-    normal = normalized(normal);
+    // Facets of no area to rounding lie in many planes.
+    normal = norm_sq(normal) > 0.0 ? normalized(normal) : Vec3{0, 0, 1};
     return shortest(dot(normal, at[0])) + " " + words(normal);
   }
 
@@ -199,15 +200,19 @@ class TessFile {
     for (std::size_t slot = 0; slot < slots.size(); ++slot) slots[facets_.number(slot)] = slot;
     for (std::size_t n = 0; n < slots.size(); ++n) {
       const TessFace& face = faces_[slots[n]];
-      const std::string count = std::to_string(face.loop.size());
-      std::string corners, edges;
+      std::string corners = std::to_string(face.loop.size());
+      std::string edges = corners;
       for (std::size_t k = 0; k < face.loop.size(); ++k) {
         const FacetCorner& corner = face.loop[k];
         corners += spaced_tag(false, vertices_.number(vertices_.slot(corner.vertex, corner.image)));
         edges += spaced_tag(face.backward[k], edges_.number(face.edges[k]));
       }
-      out_.text("   " + tag(n) + " " + count + corners + "\n     " + count + edges + "\n     " +
-                plane_of(face.loop) + "\n     0 " + (flat_ ? "-1" : "0") + " 0 0 0\n");
+      out_.text("   " + tag(n) + " ");
+      for (const std::string& line : {corners, edges, plane_of(face.loop)}) {
+        out_.text(line);
+        out_.text("\n     ");
+      }
+      out_.text(flat_ ? "0 -1 0 0 0\n" : "0 0 0 0 0\n");
     }
   }
 
