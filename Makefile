@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 BUILD_JOBS ?= $(shell nproc)
 PROGRAM := build/packstone
-DEMO := fibers spheres ellipses_2d grains_2d dense_ellipsoids relaxed_fibers
+DEMO := fibers spheres ellipses_2d layered_ellipses grains_2d dense_ellipsoids relaxed_fibers
 
 .PHONY: help setup setup-test build demo test validate bench build-reproduce reproduce reproduce-ghossein reproduce-salnikov reproduce-ilin pictures format check-format layers tidy sanitize tsan fuzz coverage install clean
 

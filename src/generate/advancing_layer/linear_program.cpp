@@ -14,6 +14,8 @@ constexpr double kParallel = 1e-13;
 // By how much of the box a side may be broken.
 constexpr double kRounding = 1e-14;
 
+constexpr std::array<Vec2, 4> kOutward{Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}};
+
 // a . x <= b in the plane.
 struct Side {
   Vec2 a;
@@ -49,10 +51,7 @@ std::optional<Vec2> least(std::span<const Side> sides, const Vec2& c, double mos
     const Vec2 t{-broken.a.y, broken.a.x};
     const double far = 4.0 * most / std::sqrt(length_sq);
     Interval left{-far, far};
-    for (const Side& box : std::array<Side, 4>{
-             {{{1, 0}, most}, {{-1, 0}, most}, {{0, 1}, most}, {{0, -1}, most}}}) {
-      left.cut(box, p, t);
-    }
+    for (const Vec2& out : kOutward) left.cut({out, most}, p, t);
     for (std::size_t k = 0; k < i; ++k) left.cut(sides[k], p, t);
     if (left.low > left.high) return std::nullopt;
     const double slope = dot(c, t);
