@@ -46,9 +46,9 @@ ConstructiveStop stop_of(const Placement& placement) {
   return placement.missing > 0.0 ? ConstructiveStop::full : ConstructiveStop::target_reached;
 }
 
-ConstructiveResult result_of(const Cell& cell, const std::vector<OrderedBody>& bodies,
-                             const Placement& placement) {
-  ConstructiveResult result;
+AdvancingLayerResult result_of(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                               const Placement& placement) {
+  AdvancingLayerResult result;
   result.packing.cell = cell;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (!placement.centers[k]) continue;
@@ -59,8 +59,8 @@ ConstructiveResult result_of(const Cell& cell, const std::vector<OrderedBody>& b
 }
 
 // The first attempt that places all, or the last one.
-ConstructiveResult place_all(const Cell& cell, const std::vector<OrderedBody>& bodies, Plan plan,
-                             std::int64_t max_restarts, RunContext& run) {
+AdvancingLayerResult place_all(const Cell& cell, const std::vector<OrderedBody>& bodies, Plan plan,
+                               std::int64_t max_restarts, RunContext& run) {
   constexpr double kMostHeld = 0.3;  // More was never denser.
   std::int64_t tests = 0;
   for (std::int64_t k = 0;; ++k) {
@@ -74,9 +74,10 @@ ConstructiveResult place_all(const Cell& cell, const std::vector<OrderedBody>& b
           std::max(plan.held_back, std::min(kMostHeld, plan.held_back * plan.held_back_growth));
       continue;
     }
-    ConstructiveResult result = result_of(cell, bodies, placed);
+    AdvancingLayerResult result = result_of(cell, bodies, placed);
     result.tested = tests;
     result.restarts = k;
+    result.held_back = plan.held_back;
     return result;
   }
 }
@@ -117,8 +118,8 @@ class Prefix {
 };
 
 // One run over more bodies than there is room for, until the first that finds no place.
-ConstructiveResult fill_open(const Cell& cell, Prefix& prefix, const AdvancingLayerOptions& options,
-                             RunContext& run) {
+AdvancingLayerResult fill_open(const Cell& cell, Prefix& prefix,
+                               const AdvancingLayerOptions& options, RunContext& run) {
   const std::vector<OrderedBody> bodies = prefix.of_volume(volume(cell));
   Plan plan = plan_for(options, bodies);
   plan.in_order = true;
@@ -126,8 +127,8 @@ ConstructiveResult fill_open(const Cell& cell, Prefix& prefix, const AdvancingLa
 }
 
 // Looks for the number of bodies that all find a place.
-ConstructiveResult fill_closed(const Cell& cell, Prefix& prefix,
-                               const AdvancingLayerOptions& options, RunContext& run) {
+AdvancingLayerResult fill_closed(const Cell& cell, Prefix& prefix,
+                                 const AdvancingLayerOptions& options, RunContext& run) {
   constexpr int kMostRuns = 8;
   // A single order that fails says little, and more restarts hold back more.
   constexpr std::int64_t kFewRestarts = 1;
@@ -137,13 +138,13 @@ ConstructiveResult fill_closed(const Cell& cell, Prefix& prefix,
   double fits = 0.0;
   double fails = 1.0;
   double next = cell.dimension == 2 ? 0.85 : 0.65;
-  ConstructiveResult best;
+  AdvancingLayerResult best;
   best.packing.cell = cell;
   std::int64_t tested = 0;
   for (int k = 0; k < kMostRuns && fails - fits > kNarrow; ++k) {
     const std::vector<OrderedBody> bodies = prefix.of_volume(next * volume(cell));
-    ConstructiveResult result = place_all(cell, bodies, plan_for(options, bodies),
-                                          std::min(kFewRestarts, options.max_restarts), run);
+    AdvancingLayerResult result = place_all(cell, bodies, plan_for(options, bodies),
+                                            std::min(kFewRestarts, options.max_restarts), run);
     tested += result.tested;
     const double placed = fraction(result.packing);
     const ConstructiveStop stop = result.stop;
@@ -163,20 +164,20 @@ ConstructiveResult fill_closed(const Cell& cell, Prefix& prefix,
 
 }  // namespace
 
-ConstructiveResult advancing_layer_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
-                                        const AdvancingLayerOptions& options, RunContext run) {
+AdvancingLayerResult advancing_layer_pack(const Cell& cell, const std::vector<OrderedBody>& bodies,
+                                          const AdvancingLayerOptions& options, RunContext run) {
   check_request(cell, options);
   check_bodies(cell, bodies, options.min_gap);
   if (bodies.empty()) {
-    ConstructiveResult nothing;
+    AdvancingLayerResult nothing;
     nothing.packing.cell = cell;
     return nothing;
   }
   return place_all(cell, bodies, plan_for(options, bodies), options.max_restarts, run);
 }
 
-ConstructiveResult advancing_layer_fill(const Cell& cell, const BodySource& source,
-                                        const AdvancingLayerOptions& options, RunContext run) {
+AdvancingLayerResult advancing_layer_fill(const Cell& cell, const BodySource& source,
+                                          const AdvancingLayerOptions& options, RunContext run) {
   check_request(cell, options);
   Prefix prefix(cell, source, options.min_gap);
   return options.close_top ? fill_closed(cell, prefix, options, run)

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "packstone/core/error.hpp"
+#include "packstone/core/number_text.hpp"
 #include "packstone/core/random.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "recipe/compare_groups.hpp"
@@ -61,8 +62,8 @@ auto place(const Recipe& recipe, const InclusionMix& mix, const Pack& pack, cons
   return fill([&supply](std::int64_t k) { return supply(k); });
 }
 
-ConstructiveResult by_advancing_layer(const Recipe& recipe, const InclusionMix& mix,
-                                      const RunContext& run) {
+AdvancingLayerResult by_advancing_layer(const Recipe& recipe, const InclusionMix& mix,
+                                        const RunContext& run) {
   const AdvancingLayerSettings& settings = recipe.advancing_layer;
   const AdvancingLayerOptions options{.min_gap = recipe.min_gap,
                                       .top_layer = settings.top_layer,
@@ -111,6 +112,15 @@ bool everything_stands(const std::vector<GroupOutcome>& groups, ConstructiveStop
   return stop == ConstructiveStop::target_reached || (open && stop == ConstructiveStop::full);
 }
 
+// Where so much came last that the sizes are no longer spread evenly over the height.
+std::string grading_sentence(const Recipe& recipe, double held_back) {
+  constexpr double kMuch = 0.1;
+  if (held_back <= kMuch || recipe.advancing_layer.held_back) return "";
+  return "to place so much, the smallest inclusions, " + number_text(100.0 * held_back, 2) +
+         " % by volume, came last: what the holes did not take of them gathers below the top; a "
+         "smaller fraction spreads them evenly";
+}
+
 PackOutcome outcome_of(const Recipe& recipe, const InclusionMix& mix, ConstructiveResult result) {
   PackOutcome outcome;
   outcome.packing = std::move(result.packing);
@@ -149,7 +159,11 @@ void refuse_unsuited(const Recipe& recipe, PackMethod method) {
 PackOutcome run_constructive(const Recipe& recipe, const InclusionMix& mix, PackMethod method,
                              const RunContext& run) {
   if (method == PackMethod::advancing_layer) {
-    return outcome_of(recipe, mix, by_advancing_layer(recipe, mix, run));
+    AdvancingLayerResult result = by_advancing_layer(recipe, mix, run);
+    const std::string sentence = grading_sentence(recipe, result.held_back);
+    PackOutcome outcome = outcome_of(recipe, mix, std::move(result));
+    if (!sentence.empty()) outcome.derived.push_back(sentence);
+    return outcome;
   }
   if (method == PackMethod::drop_and_roll) {
     return outcome_of(recipe, mix, by_dropping(recipe, mix, run));

@@ -50,6 +50,13 @@ struct AdvancingLayerOptions {
   std::uint64_t seed = 0;
 };
 
+/// What a run produced.
+struct AdvancingLayerResult : ConstructiveResult {
+  /// Part of the volume, of the smallest bodies, that was placed last [-]. Much more than 0.05:
+  /// they gather below the ceiling.
+  double held_back = 0.0;
+};
+
 /// Places all `bodies` in `cell`; docs/algorithms/advancing_layer.md tells how.
 ///
 /// Every body touches two others, walls or the floor (three in 3D), and none is moved again. Sizes,
@@ -68,16 +75,16 @@ struct AdvancingLayerOptions {
 ///          place are absent, and stop is then `full`.
 ///
 /// Reference: D. N. Ilin, M. Bernacki, MATEC Web Conf. 80 (2016) 02004.
-[[nodiscard]] ConstructiveResult advancing_layer_pack(const Cell& cell,
-                                                      const std::vector<OrderedBody>& bodies,
-                                                      const AdvancingLayerOptions& options = {},
-                                                      RunContext run = {});
+[[nodiscard]] AdvancingLayerResult advancing_layer_pack(const Cell& cell,
+                                                        const std::vector<OrderedBody>& bodies,
+                                                        const AdvancingLayerOptions& options = {},
+                                                        RunContext run = {});
 
 /// Fills `cell` with the first bodies of an endless supply, as many as all find a place: the number
 /// is searched for, in some five runs. With an open top one run does, up to the first body that
 /// finds none. So no body is left out, and the laws of the supply hold to sampling error.
-[[nodiscard]] ConstructiveResult advancing_layer_fill(const Cell& cell, const BodySource& source,
-                                                      const AdvancingLayerOptions& options = {},
-                                                      RunContext run = {});
+[[nodiscard]] AdvancingLayerResult advancing_layer_fill(const Cell& cell, const BodySource& source,
+                                                        const AdvancingLayerOptions& options = {},
+                                                        RunContext run = {});
 
 }  // namespace packstone
