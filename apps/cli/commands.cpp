@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "interrupt.hpp"
 #include "packstone/recipe/recipe.hpp"
 
 namespace packstone::cli {
@@ -66,6 +67,15 @@ CLI::Validator number_at_least_zero() {
 
 CLI::Validator number_above_zero() {
   return {[](const std::string& text) { return check_number(text, false); }, ""};
+}
+
+RunContext run_context(int threads, const std::string& time_limit, bool quiet,
+                       ProgressPrinter& printer) {
+  RunContext run;
+  run.cancel_flag(&interrupt_flag()).threads(threads);
+  if (const auto limit = seconds_in(time_limit)) run.time_limit(*limit);
+  if (!quiet) run.on_progress([&printer](const Progress& progress) { printer.print(progress); });
+  return run;
 }
 
 }  // namespace packstone::cli

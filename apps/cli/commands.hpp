@@ -8,6 +8,9 @@
 #include <map>
 #include <string>
 
+#include "packstone/core/run_context.hpp"
+#include "progress_printer.hpp"
+
 #include "packstone/io/draw.hpp"
 
 namespace packstone::cli {
@@ -32,6 +35,11 @@ void add_color(CLI::App& command, std::string& color);
 /// Refuse what is no finite number >= 0, or > 0.
 [[nodiscard]] CLI::Validator number_at_least_zero();
 [[nodiscard]] CLI::Validator number_above_zero();
+
+/// What long work of a command runs under: Ctrl-C, threads, the time limit (none where the text is
+/// empty) and, unless `quiet`, progress by `printer`, which outlives it.
+[[nodiscard]] RunContext run_context(int threads, const std::string& time_limit, bool quiet,
+                                     ProgressPrinter& printer);
 
 void add_pack(CLI::App& app, int& exit_code);
 void add_relax(CLI::App& app, int& exit_code);

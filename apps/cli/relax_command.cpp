@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "output_file.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/version.hpp"
@@ -47,13 +46,9 @@ RelaxationOptions options_of(const RelaxArguments& arguments, const Packing& pac
 }
 
 RelaxationResult relax_with_progress(const Packing& packing, const RelaxArguments& arguments) {
-  RunContext run;
-  run.cancel_flag(&interrupt_flag()).threads(arguments.threads);
-  if (const auto limit = seconds_in(arguments.time_limit)) run.time_limit(*limit);
   ProgressPrinter printer;
-  if (!arguments.quiet) {
-    run.on_progress([&printer](const Progress& progress) { printer.print(progress); });
-  }
+  const RunContext run =
+      run_context(arguments.threads, arguments.time_limit, arguments.quiet, printer);
   return relax(packing, options_of(arguments, packing), run);
 }
 

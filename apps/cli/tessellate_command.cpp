@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "output_file.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/io/draw_tessellation.hpp"
@@ -56,13 +55,9 @@ LaguerreOptions options_of(const TessellateArguments& arguments) {
 
 LaguerreResult tessellate_with_progress(const Packing& packing,
                                         const TessellateArguments& arguments) {
-  RunContext run;
-  run.cancel_flag(&interrupt_flag()).threads(arguments.threads);
-  if (const auto limit = seconds_in(arguments.time_limit)) run.time_limit(*limit);
   ProgressPrinter printer;
-  if (!arguments.quiet) {
-    run.on_progress([&printer](const Progress& progress) { printer.print(progress); });
-  }
+  const RunContext run =
+      run_context(arguments.threads, arguments.time_limit, arguments.quiet, printer);
   return laguerre_tessellate(packing, options_of(arguments), run);
 }
 

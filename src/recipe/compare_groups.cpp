@@ -62,4 +62,13 @@ std::vector<GroupOutcome> compare_groups(const Recipe& recipe, const InclusionMi
   return outcomes;
 }
 
+bool everything_stands(const std::vector<GroupOutcome>& groups, bool is_full) {
+  bool open = false;
+  for (const GroupOutcome& group : groups) {
+    if (group.ordered_count && group.count < *group.ordered_count) return false;
+    open = open || !group.ordered_count;
+  }
+  return !open || is_full;
+}
+
 }  // namespace packstone::recipe

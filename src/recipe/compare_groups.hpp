@@ -15,4 +15,8 @@ namespace packstone::recipe {
                                                        const InclusionMix& mix,
                                                        const Packing& packing);
 
+/// Whether everything with a count stands and, if the count of a group is open, the cell was
+/// filled: `is_full`, the run ended because no more was found to fit.
+[[nodiscard]] bool everything_stands(const std::vector<GroupOutcome>& groups, bool is_full);
+
 }  // namespace packstone::recipe

@@ -102,16 +102,6 @@ PublishedLayerResult by_published_layer(const Recipe& recipe, const InclusionMix
       });
 }
 
-// Whether everything with a count stands, and an open group ended because the cell is full.
-bool everything_stands(const std::vector<GroupOutcome>& groups, ConstructiveStop stop) {
-  bool open = false;
-  for (const GroupOutcome& group : groups) {
-    if (group.ordered_count && group.count < *group.ordered_count) return false;
-    open = open || !group.ordered_count;
-  }
-  return stop == ConstructiveStop::target_reached || (open && stop == ConstructiveStop::full);
-}
-
 // Where so much came last that the sizes are no longer spread evenly over the height.
 std::string grading_sentence(const Recipe& recipe, double held_back) {
   constexpr double kMuch = 0.1;
@@ -128,7 +118,7 @@ PackOutcome outcome_of(const Recipe& recipe, const InclusionMix& mix, Constructi
   outcome.trials = result.tested;
   outcome.restarts = result.restarts;
   outcome.groups = compare_groups(recipe, mix, outcome.packing);
-  outcome.target_reached = everything_stands(outcome.groups, result.stop);
+  outcome.target_reached = everything_stands(outcome.groups, result.stop == ConstructiveStop::full);
   return outcome;
 }
 

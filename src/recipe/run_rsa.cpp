@@ -29,15 +29,8 @@ RsaResult place(const Recipe& recipe, const InclusionMix& mix, const RunContext&
       recipe.cell, [&supply](std::int64_t k) { return supply(k); }, options, run);
 }
 
-// Whether everything with a count stands, and an open group ended because no more was found to fit.
-bool everything_stands(const std::vector<GroupOutcome>& groups, RsaStop stop) {
-  bool open = false;
-  for (const GroupOutcome& group : groups) {
-    if (group.ordered_count && group.count < *group.ordered_count) return false;
-    open = open || !group.ordered_count;
-  }
-  return !open || stop == RsaStop::saturated || stop == RsaStop::given_up ||
-         stop == RsaStop::target_reached;
+bool ended_full(RsaStop stop) {
+  return stop == RsaStop::saturated || stop == RsaStop::given_up || stop == RsaStop::target_reached;
 }
 
 // What the summary says of groups whose saturation cannot be proven.
@@ -82,7 +75,7 @@ PackOutcome run_rsa(const Recipe& recipe, const InclusionMix& mix, const RunCont
   outcome.groups = compare_groups(recipe, mix, outcome.packing);
   const std::vector<bool> redrawn = redrawn_groups(recipe);
   for (std::size_t g = 0; g < redrawn.size(); ++g) outcome.groups[g].redrawn = redrawn[g];
-  outcome.target_reached = everything_stands(outcome.groups, result.stop);
+  outcome.target_reached = everything_stands(outcome.groups, ended_full(result.stop));
   return outcome;
 }
 

@@ -33,8 +33,7 @@ struct AdvancingLayerOptions {
   /// Part of the volume (area), of the smallest bodies, that is placed last, largest first, in
   /// holes from random heights upward [-]. In [0, 1]. What is placed stays exactly what is ordered.
   /// The more the denser, but what the holes do not take gathers at the top. Absent: 0.02 to 0.1,
-  /// more the wider the sizes are spread, and 1.7 times that with every restart, up to
-  /// 0.3.
+  /// more the wider the sizes are spread, and 1.7 times that with every restart, up to 0.3.
   std::optional<double> held_back = {};
 
   /// Whether bodies go on into the room that is left, under the ceiling and below, when one finds
@@ -70,9 +69,8 @@ struct AdvancingLayerResult : ConstructiveResult {
 ///          stand in the cell even alone, or all together need more room than there is.
 /// Random:  stream advancing_layer, keyed by options.seed.
 /// Cost:    some 10 us a disk, 0.4 ms an ellipse; flat in the number of bodies.
-/// @post    check_packing(result.packing, {.min_gap = options.min_gap}) passes. Bodies that found
-/// no
-///          place are absent, and stop is then `full`.
+/// @post    check_packing(result.packing, {.min_gap = options.min_gap}) passes. Bodies that
+///          found no place are absent, and stop is then `full`.
 ///
 /// Reference: D. N. Ilin, M. Bernacki, MATEC Web Conf. 80 (2016) 02004.
 [[nodiscard]] AdvancingLayerResult advancing_layer_pack(const Cell& cell,

@@ -5,9 +5,10 @@
 /// where it touches what stands already, and never move one again.
 ///
 /// Gravity acts along -y in 2D and along -z in 3D. Along this axis the cell has a floor at 0 and a
-/// ceiling at its size, between which bodies stay; the other axes are periodic or have walls. No
-/// body is left out: the first one that has no position ends the run, so that sizes, aspects and
-/// orientations follow their laws to sampling error.
+/// ceiling at its size, between which bodies stay; the other axes are periodic or have walls.
+/// Published methods end at the first body that has no position, so that sizes, aspects and
+/// orientations follow their laws to sampling error; advancing_layer.hpp tells how it keeps to
+/// them, and takes cells that are periodic along the vertical axis too.
 
 #include <cstdint>
 #include <string_view>
@@ -20,7 +21,7 @@ namespace packstone {
 /// Why a constructive method stopped. All of these are ordinary outcomes; none is an exception.
 enum class ConstructiveStop {
   target_reached,  ///< Every body ordered stands.
-  full,            ///< A body has no position; the run ended there.
+  full,            ///< A body has no position.
   cancelled,       ///< The run was cancelled; the bodies placed so far stand.
   out_of_time,     ///< The time limit passed; the bodies placed so far stand.
 };
@@ -30,7 +31,7 @@ enum class ConstructiveStop {
 
 /// What a run produced and what it cost.
 struct ConstructiveResult {
-  Packing packing;  ///< The first bodies of the order, in that order. Group names are left to the
+  Packing packing;  ///< The bodies that stand, in the order given. Group names are left to the
                     ///< caller.
   ConstructiveStop stop = ConstructiveStop::target_reached;  ///< Read this before the count.
   std::int64_t tested = 0;    ///< Positions tried, those taken included.
