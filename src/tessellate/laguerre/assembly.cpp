@@ -129,7 +129,33 @@ void reduce(std::vector<PlacedVertex>& loop) {
 // Puts the facets of all blocks together, their corners resolved to vertices.
 class Assembler {
  public:
-  Assembler(const Cell& box, Tessellation& out) : box_(box), pool_(box), out_(out) {}
+  Assembler(const Cell& box, const std::vector<BlockFacets>& blocks, Tessellation& out)
+      : box_(box), pool_(box), out_(out) {
+    std::size_t facets = 0, corners = 0;
+    for (const BlockFacets& block : blocks) {
+      facets += block.facets.size();
+      corners += block.corners.size();
+    }
+    facets_.reserve(facets);
+    corners_.reserve(corners);
+    out.facets.reserve(facets);
+    out.corners.reserve(corners);
+    pool_.reserve(corners / kCornersPerVertex);
+    for (const BlockFacets& block : blocks) add(block);
+  }
+
+  void finish(double same_place) {
+    pool_.merge_near(same_place);
+    for (PlacedVertex& corner : corners_) corner = pool_.resolve(corner);
+    is_corner_.assign(pool_.places().size(), box_.dimension == 2 ? 1 : 0);
+    if (box_.dimension == 3) find_corners(same_place);
+    number_.assign(pool_.places().size(), -1);
+    for (const std::int64_t k : by_inner_cell()) keep(facets_[static_cast<std::size_t>(k)]);
+  }
+
+ private:
+  // Corners of stored facets that meet in one vertex, at least in most diagrams.
+  static constexpr std::size_t kCornersPerVertex = 2;
 
   void add(const BlockFacets& block) {
     const auto first = static_cast<std::int64_t>(corners_.size());
@@ -144,16 +170,6 @@ class Assembler {
     }
   }
 
-  void finish(double same_place) {
-    pool_.merge_near(same_place);
-    for (PlacedVertex& corner : corners_) corner = pool_.resolve(corner);
-    is_corner_.assign(pool_.places().size(), box_.dimension == 2 ? 1 : 0);
-    if (box_.dimension == 3) find_corners(same_place);
-    number_.assign(pool_.places().size(), -1);
-    for (const std::int64_t k : by_inner_cell()) keep(facets_[static_cast<std::size_t>(k)]);
-  }
-
- private:
   // Facets of one cell in the order in which they came.
   [[nodiscard]] std::vector<std::int64_t> by_inner_cell() const {
     std::vector<std::int64_t> next(out_.cells.size() + 1, 0), order(facets_.size());
@@ -242,8 +258,7 @@ Tessellation assemble(const Cell& box, const std::vector<Site>& sites,
   Tessellation tessellation;
   tessellation.box = box;
   tessellation.cells = std::move(cells);
-  Assembler assembler(box, tessellation);
-  for (const BlockFacets& block : blocks) assembler.add(block);
+  Assembler assembler(box, blocks, tessellation);
   const double distance =
       std::pow(volume(box) / static_cast<double>(std::max<std::size_t>(1, sites.size())),
                1.0 / box.dimension);

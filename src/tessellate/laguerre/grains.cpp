@@ -6,6 +6,7 @@
 #include "packstone/core/symmetric_eigen.hpp"
 #include "packstone/geometry/inscribed_balls.hpp"
 #include "packstone/geometry/measures.hpp"
+#include "spatial/curve_order.hpp"
 
 namespace packstone::laguerre {
 
@@ -29,12 +30,11 @@ std::vector<Vec3> centers_of(const std::vector<Grain>& grains) {
 
 std::vector<Site> sites_of(const Cell& box, const std::vector<Grain>& grains, double spacing) {
   std::vector<Site> sites;
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    const Grain& grain = grains[g];
+  for (const std::int32_t g : curve_order(centers_of(grains), box)) {
+    const Grain& grain = grains[static_cast<std::size_t>(g)];
     for (const InscribedBall& ball : inscribed_balls(grain.body, spacing)) {
       sites.push_back(wrapped_site(box, grain.center + ball.center,
-                                   ball.radius * ball.radius + grain.weight,
-                                   static_cast<std::int32_t>(g)));
+                                   ball.radius * ball.radius + grain.weight, g));
     }
   }
   return sites;

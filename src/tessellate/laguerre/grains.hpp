@@ -28,7 +28,7 @@ struct Grain {
 
 [[nodiscard]] std::vector<Vec3> centers_of(const std::vector<Grain>& grains);
 
-/// The balls of all grains, in order.
+/// The balls of all grains, those of one after each other, grains in curve_order().
 [[nodiscard]] std::vector<Site> sites_of(const Cell& box, const std::vector<Grain>& grains,
                                          double spacing);
 

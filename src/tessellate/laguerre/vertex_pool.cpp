@@ -1,6 +1,7 @@
 #include "tessellate/laguerre/vertex_pool.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace packstone::laguerre {
@@ -109,8 +110,16 @@ PlacedKey placed_key(std::array<KeyMember, 4> members) {
   return placed;
 }
 
-void VertexPool::grow() {
-  table_.assign(std::max<std::size_t>(1024, 4 * table_.size()), -1);
+void VertexPool::reserve(std::size_t vertices) {
+  set_slots(std::bit_ceil(2 * vertices + 1));
+  keys_.reserve(vertices);
+  places_.reserve(vertices);
+  wraps_.reserve(vertices);
+  becomes_.reserve(vertices);
+}
+
+void VertexPool::set_slots(std::size_t slots) {
+  table_.assign(slots, -1);
   const std::size_t mask = table_.size() - 1;
   for (std::size_t id = 0; id < keys_.size(); ++id) {
     std::size_t slot = hash_of(keys_[id]) & mask;
@@ -128,7 +137,7 @@ void VertexPool::lay_on_walls(const VertexKey& key, Vec3& at) const {
 }
 
 PlacedVertex VertexPool::find_or_add(const VertexKey& key, const Vec3& at) {
-  if (2 * keys_.size() >= table_.size()) grow();
+  if (2 * keys_.size() >= table_.size()) set_slots(std::max<std::size_t>(1024, 4 * table_.size()));
   const std::size_t mask = table_.size() - 1;
   std::size_t slot = hash_of(key) & mask;
   for (; table_[slot] >= 0; slot = (slot + 1) & mask) {

@@ -59,6 +59,9 @@ class VertexPool {
   /// it is not known yet.
   PlacedVertex find_or_add(const VertexKey& key, const Vec3& at);
 
+  /// Memory for so many vertices.
+  void reserve(std::size_t vertices);
+
   /// Makes one vertex of those that are within `distance` [L] of each other, images included.
   void merge_near(double distance);
 
@@ -71,7 +74,7 @@ class VertexPool {
   [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
 
  private:
-  void grow();
+  void set_slots(std::size_t slots);
   void lay_on_walls(const VertexKey& key, Vec3& at) const;
 
   Cell box_;
