@@ -57,6 +57,8 @@ class Run {
         layer_(make_layer(cell, bodies, plan.min_gap, plan.seed, attempt)),
         heights_(plan.seed, StreamId::advancing_layer, kHeightItem, attempt) {
     placement_.centers.resize(bodies.size());
+    volumes_.reserve(bodies.size());
+    for (const OrderedBody& b : bodies) volumes_.push_back(volume(b.body));
     split_order(RandomStream(plan.seed, StreamId::advancing_layer, kOrderItem, attempt));
   }
 
@@ -84,15 +86,13 @@ class Run {
       std::swap(order[k - 1], order[random.below(k)]);
     }
     last_ = order;
-    std::stable_sort(last_.begin(), last_.end(), [&](std::size_t a, std::size_t b) {
-      return volume(bodies_[a].body) > volume(bodies_[b].body);
-    });
-    double total = 0.0;
-    for (const OrderedBody& b : bodies_) total += volume(b.body);
+    std::stable_sort(last_.begin(), last_.end(),
+                     [&](std::size_t a, std::size_t b) { return volumes_[a] > volumes_[b]; });
+    const double total = std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
     double held = 0.0;
     std::size_t count = 0;
     while (count < last_.size()) {
-      held += volume(bodies_[last_[last_.size() - 1 - count]].body);
+      held += volumes_[last_[last_.size() - 1 - count]];
       if (held > plan_.held_back * total) break;
       ++count;
     }
@@ -102,7 +102,7 @@ class Run {
     for (const std::size_t k : order) {
       if (is_held[k]) continue;
       first_.push_back(k);
-      to_lay_ += volume(bodies_[k].body);
+      to_lay_ += volumes_[k];
     }
   }
 
@@ -131,7 +131,7 @@ class Run {
 
   void keep(std::size_t k, const std::optional<Vec3>& center) {
     placement_.centers[k] = center;
-    (center ? placement_.placed : placement_.missing) += volume(bodies_[k].body);
+    (center ? placement_.placed : placement_.missing) += volumes_[k];
     count_ += center ? 1 : 0;
     const auto wanted = static_cast<std::int64_t>(bodies_.size());
     run_.report({"laying", static_cast<double>(count_) / static_cast<double>(wanted),
@@ -160,6 +160,7 @@ class Run {
   double layer_depth_;
   std::unique_ptr<Layer> layer_;
   RandomStream heights_;
+  std::vector<double> volumes_;
   Order first_, last_;
   double to_lay_ = 0.0;  // Volume of the bodies that are not held back.
   bool is_full_ = false;
@@ -174,7 +175,8 @@ Plan plan_for(const AdvancingLayerOptions& options, const std::vector<OrderedBod
   const bool round = std::all_of(bodies.begin(), bodies.end(),
                                  [](const OrderedBody& b) { return is_round(kind(b.body)); });
   constexpr double kGrowth = 1.7;
-  const int for_balls = static_cast<int>(std::clamp(1.2 / std::max(wide, 0.01), 2.0, 40.0));
+  // The wider sizes are spread the less comparing gains: among sizes enough one fits every place.
+  const int for_balls = static_cast<int>(std::clamp(0.04 / (wide * wide * wide), 1.0, 24.0));
   const double held = std::clamp(0.2 * wide, 0.02, 0.1);
   const int candidates =
       options.candidates.value_or(round ? for_balls : candidates_for_shapes(bodies));

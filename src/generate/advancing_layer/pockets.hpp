@@ -219,15 +219,15 @@ class Pockets {
   // often an anchor has failed the closer, so that balls of slowly falling size do not fail on it
   // time and again.
   double failing_radius(std::int32_t anchor, double radius) {
-    constexpr double kFirstStep = 0.2;
+    constexpr double kFirstStep = 0.1;
     constexpr int kMostHalvings = 10;
     constexpr int kHalvings = 3;
     const std::uint8_t failures = failures_[static_cast<std::size_t>(anchor)];
-    Vec3 place;
     double step = std::ldexp(kFirstStep, -std::min<int>(failures - 2, kMostHalvings));
     double fails = radius;
     double fits = fails - step * radius;
-    while (fits > smallest_ && !lowest(anchor, fits, place)) {
+    gather(anchor, radius);
+    while (fits > smallest_ && !has_place(anchor, fits)) {
       fails = fits;
       step *= 2.0;
       fits = fails - step * radius;
@@ -235,28 +235,88 @@ class Pockets {
     if (!(fits > smallest_)) return std::min(fails, smallest_);
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = 0.5 * (fits + fails);
-      (lowest(anchor, middle, place) ? fits : fails) = middle;
+      (has_place(anchor, middle) ? fits : fails) = middle;
     }
     return fails;
+  }
+
+  // Another ball, as an anchor sees it.
+  struct Neighbor {
+    Vec3 direction;  // Unit.
+    double distance_sq;
+    double per_distance;
+    double radius;
+  };
+
+  // Where the center of a ball of one radius may be that touches an anchor.
+  struct Shell {
+    double rho;   // Radius of the shell.
+    double keep;  // From the center to the surface of another ball.
+
+    [[nodiscard]] bool is_met_by(double distance_sq, double radius) const {
+      const double reach = rho + keep + radius;
+      return distance_sq < reach * reach;
+    }
+    // Cosine of half the opening of what a neighbor blocks, as contact_arcs.hpp (1).
+    [[nodiscard]] double rim(const Neighbor& k) const {
+      const double s = keep + k.radius;
+      return (rho * rho + k.distance_sq - s * s) * (0.5 / rho * k.per_distance);
+    }
+  };
+  [[nodiscard]] Shell shell(std::int32_t anchor, double radius) const {
+    return {levels_.radius(anchor) + radius + apart_, radius + apart_};
+  }
+
+  // Calls visit(neighbor) for what a ball of this radius on the anchor may touch, until it returns
+  // false.
+  template <class Visit>
+  bool visit_neighbors(std::int32_t anchor, const Shell& of, Visit&& visit) const {
+    return levels_.near(
+        levels_.center(anchor), of.rho + of.keep,
+        [&](std::int32_t ball, const Vec3& r, double radius) {
+          const double distance_sq = norm_sq(r);
+          if (!of.is_met_by(distance_sq, radius)) return true;
+          if (ball == anchor && distance_sq == 0.0) return true;
+          const double per_distance = 1.0 / std::sqrt(distance_sq);
+          return visit(Neighbor{per_distance * r, distance_sq, per_distance, radius});
+        });
   }
 
   // Blocks what walls and balls block for a ball on `anchor`. False where nothing is left.
   bool block_around(std::int32_t anchor, double radius, double& rho) {
     ++tests_;
     blocked_.clear();
-    const Vec3& center = levels_.center(anchor);
-    rho = levels_.radius(anchor) + radius + apart_;
-    if (!block_walls(center, radius, rho)) return false;
-    const double keep = radius + apart_;
-    const double half_per_rho = 0.5 / rho;
-    return levels_.near(center, rho + keep, [&](std::int32_t ball, const Vec3& r, double other) {
-      const double s = keep + other;
-      const double d_sq = norm_sq(r);
-      if (d_sq >= (rho + s) * (rho + s)) return true;
-      if (ball == anchor && d_sq == 0.0) return true;
-      const double per_d = 1.0 / std::sqrt(d_sq);
-      return blocked_.block(per_d * r, (rho * rho + d_sq - s * s) * (half_per_rho * per_d));
+    const Shell of = shell(anchor, radius);
+    rho = of.rho;
+    return block_walls(levels_.center(anchor), radius, rho) &&
+           visit_neighbors(anchor, of, [&](const Neighbor& k) {
+             return blocked_.block(k.direction, of.rim(k));
+           });
+  }
+
+  // The neighbors of all balls of up to this radius, for has_place().
+  void gather(std::int32_t anchor, double radius) {
+    neighbors_.clear();
+    visit_neighbors(anchor, shell(anchor, radius), [&](const Neighbor& k) {
+      neighbors_.push_back(k);
+      return true;
     });
+  }
+
+  // Whether there is a place on the anchor whose neighbors are gathered.
+  bool has_place(std::int32_t anchor, double radius) {
+    ++tests_;
+    blocked_.clear();
+    const Shell of = shell(anchor, radius);
+    if (!block_walls(levels_.center(anchor), radius, of.rho)) return false;
+    for (const Neighbor& k : neighbors_) {
+      if (of.is_met_by(k.distance_sq, k.radius) && !blocked_.block(k.direction, of.rim(k))) {
+        return false;
+      }
+    }
+    bool found = false;
+    blocked_.visit_ends([&](const Vec3&) { return !found; }, [&](const Vec3&) { found = true; });
+    return found;
   }
 
   bool block_walls(const Vec3& center, double radius, double rho) {
@@ -281,6 +341,7 @@ class Pockets {
   BallLevels<D> levels_;
   AnchorQueue queue_;
   Blocked blocked_;
+  std::vector<Neighbor> neighbors_;
   std::vector<std::uint8_t> failures_;
   bool remembers_ = false;
   std::vector<std::array<Known, kRemembered>> known_;  // By anchor and level.
