@@ -54,6 +54,7 @@ AdvancingLayerResult result_of(const Cell& cell, const std::vector<OrderedBody>&
     if (!placement.centers[k]) continue;
     result.packing.inclusions.push_back({*placement.centers[k], bodies[k].body, bodies[k].group});
   }
+  result.top = placement.top;
   result.stop = stop_of(placement);
   return result;
 }

@@ -111,6 +111,18 @@ std::string grading_sentence(const Recipe& recipe, double held_back) {
          "smaller fraction spreads them evenly";
 }
 
+// Where the list ends far below the ceiling.
+std::string empty_top_sentence(const Recipe& recipe, const AdvancingLayerResult& result) {
+  constexpr double kMuch = 0.1;  // Over the height of the cell.
+  const double height = recipe.cell.size[vertical_axis(recipe.cell)];
+  if (result.stop != ConstructiveStop::target_reached || result.top >= (1.0 - kMuch) * height) {
+    return "";
+  }
+  return "bodies are laid as densely as they come to lie, from the floor up: this order ends at " +
+         number_text(result.top, 3) + " of the height " + number_text(height, 3) +
+         ", and the cell is empty above; method = \"relaxation\" spreads so few evenly";
+}
+
 PackOutcome outcome_of(const Recipe& recipe, const InclusionMix& mix, ConstructiveResult result) {
   PackOutcome outcome;
   outcome.packing = std::move(result.packing);
@@ -150,9 +162,12 @@ PackOutcome run_constructive(const Recipe& recipe, const InclusionMix& mix, Pack
                              const RunContext& run) {
   if (method == PackMethod::advancing_layer) {
     AdvancingLayerResult result = by_advancing_layer(recipe, mix, run);
-    const std::string sentence = grading_sentence(recipe, result.held_back);
+    const std::string sentences[] = {grading_sentence(recipe, result.held_back),
+                                     empty_top_sentence(recipe, result)};
     PackOutcome outcome = outcome_of(recipe, mix, std::move(result));
-    if (!sentence.empty()) outcome.derived.push_back(sentence);
+    for (const std::string& sentence : sentences) {
+      if (!sentence.empty()) outcome.derived.push_back(sentence);
+    }
     return outcome;
   }
   if (method == PackMethod::drop_and_roll) {

@@ -25,7 +25,7 @@ struct AdvancingLayerOptions {
   /// beside it for good.
   double top_layer = 3.0;
 
-  /// Places compared for each body, of which it takes the lowest [-]. >= 1. Absent: 2 to 40 for
+  /// Places compared for each body, of which it takes the lowest [-]. >= 1. Absent: 1 to 24 for
   /// disks, more the nearer the sizes are to each other; for other bodies 60, in space 40 to 160,
   /// more the longer or flatter they are.
   std::optional<int> candidates = {};
@@ -54,6 +54,10 @@ struct AdvancingLayerResult : ConstructiveResult {
   /// Part of the volume, of the smallest bodies, that was placed last [-]. Much more than 0.05:
   /// they gather below the ceiling.
   double held_back = 0.0;
+
+  /// Height of the highest point of all others [L]. Far below the ceiling: so much less is ordered
+  /// than the cell has room for, and what is above stays empty but for some of the smallest.
+  double top = 0.0;
 };
 
 /// Places all `bodies` in `cell`; docs/algorithms/advancing_layer.md tells how.

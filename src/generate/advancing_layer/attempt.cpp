@@ -67,6 +67,7 @@ class Run {
       if (!go_on() || (is_full_ && !plan_.close_top)) break;
       keep(k, lay(bodies_[k].body));
     }
+    placement_.top = layer_->top();
     layer_->open_floor();
     for (const std::size_t k : last_) {
       if (!go_on()) break;
@@ -144,11 +145,15 @@ class Run {
     return placement_.stop == StopRequest::none;
   }
 
-  // Asked when the first body has found no place: what then is still to come?
+  // Asked when the first body has found no place: what then is still to come? A few of the largest
+  // may find theirs in another order.
   bool is_hopeless() {
     constexpr double kMuch = 0.02;  // volume over that of the cell
+    constexpr double kFew = 5.0;
     if (placement_.hopeless) return true;
-    placement_.hopeless = to_lay_ - placement_.placed - placement_.missing > kMuch * volume(cell_);
+    const double largest = *std::max_element(volumes_.begin(), volumes_.end());
+    const double much = std::max(kMuch * volume(cell_), kFew * largest);
+    placement_.hopeless = to_lay_ - placement_.placed - placement_.missing > much;
     return placement_.hopeless;
   }
 

@@ -36,6 +36,7 @@ struct Placement {
   double placed = 0.0;                       ///< Volume of those that stand [L^3] ([L^2]).
   double missing = 0.0;                      ///< Of those that found no place.
   bool hopeless = false;                     ///< Far more was ordered than there is room for.
+  double top = 0.0;  ///< Highest point of those that were not held back [L].
   std::int64_t tests = 0;
   StopRequest stop = StopRequest::none;  ///< Then the rest was not tried.
 };

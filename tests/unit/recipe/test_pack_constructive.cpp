@@ -55,6 +55,22 @@ TEST_CASE("advancing layers place what a recipe orders, orientations as drawn") 
   CHECK(outcome.trials > 0);
 }
 
+TEST_CASE("advancing layers tell where an order ends low, or has its sizes graded") {
+  const auto derived = [](const std::string& fraction) {
+    std::string all;
+    for (const std::string& s :
+         pack(order(kStrip + kDisks + "fraction = " + fraction + "\n" + method("advancing-layer")))
+             .derived) {
+      all += s + "\n";
+    }
+    return all;
+  };
+  CHECK_THAT(derived("0.5"), Catch::Contains("the cell is empty above"));
+  CHECK_THAT(derived("0.8"), !Catch::Contains("the cell is empty above"));
+  CHECK_THAT(derived("0.8"), !Catch::Contains("came last"));
+  CHECK_THAT(derived("0.875"), Catch::Contains("came last"));
+}
+
 TEST_CASE("constructive methods fill a cell with a group of open count") {
   const PackOutcome layered = pack(order(kStrip + kDisks + method("advancing-layer")));
   const PackOutcome dropped = pack(order(kStrip + kDisks + method("drop-and-roll")));
