@@ -101,15 +101,14 @@ PackOutcome run_job(Job job, const RunContext& run, const Checkpointing& checkpo
 }
 
 PackOutcome pack_with_progress(Job job, const PackArguments& arguments) {
-  RunContext run;
-  run.cancel_flag(&interrupt_flag()).threads(arguments.threads);
-  const Checkpointing checkpointing = checkpointing_of(arguments);
-  if (arguments.quiet) return run_job(std::move(job), run, checkpointing, {});
   ProgressPrinter printer;
-  run.on_progress([&printer](const Progress& progress) { printer.print(progress); });
-  return run_job(std::move(job), run, checkpointing, [](const PackPlan& plan) {
+  // The time limit is in the recipe.
+  const RunContext run = run_context(arguments.threads, {}, arguments.quiet, printer);
+  const auto tell = [](const PackPlan& plan) {
     fmt::print(stderr, "packstone: {}\n", plan_text(plan));
-  });
+  };
+  return run_job(std::move(job), run, checkpointing_of(arguments),
+                 arguments.quiet ? PlanCallback{} : tell);
 }
 
 int exit_code_of(const PackOutcome& outcome) {

@@ -18,6 +18,7 @@
 #include "generate/rsa/standing.hpp"
 #include "packstone/core/error.hpp"
 #include "packstone/core/random.hpp"
+#include "packstone/core/shuffle.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/standing.hpp"
@@ -66,9 +67,7 @@ std::vector<std::int64_t> sequence_of(const std::vector<OrderedBody>& bodies,
     });
   } else if (options.order == RsaOrder::shuffled) {
     RandomStream random(options.seed, StreamId::rsa_order);
-    for (std::size_t k = sequence.size(); k > 1; --k) {
-      std::swap(sequence[k - 1], sequence[random.below(k)]);
-    }
+    shuffle(sequence, random);
   }
   return sequence;
 }

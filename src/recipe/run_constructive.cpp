@@ -8,6 +8,7 @@
 #include "packstone/core/error.hpp"
 #include "packstone/core/number_text.hpp"
 #include "packstone/core/random.hpp"
+#include "packstone/core/shuffle.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "recipe/compare_groups.hpp"
 #include "recipe/draw_mix.hpp"
@@ -31,7 +32,7 @@ bool is_open(const InclusionMix& mix) {
 // Bodies are placed in their order, and groups shall mix.
 std::vector<OrderedBody> shuffled(std::vector<OrderedBody> bodies, std::uint64_t seed) {
   RandomStream random(seed, StreamId::constructive_order);
-  for (std::size_t k = bodies.size(); k > 1; --k) std::swap(bodies[k - 1], bodies[random.below(k)]);
+  shuffle(bodies, random);
   return bodies;
 }
 

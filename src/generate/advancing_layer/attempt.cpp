@@ -7,6 +7,7 @@
 
 #include "generate/advancing_layer/layer.hpp"
 #include "packstone/core/random.hpp"
+#include "packstone/core/shuffle.hpp"
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/measures.hpp"
 
@@ -83,9 +84,7 @@ class Run {
   void split_order(RandomStream random) {
     Order order(bodies_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t k = order.size(); k > 1 && !plan_.in_order; --k) {
-      std::swap(order[k - 1], order[random.below(k)]);
-    }
+    if (!plan_.in_order) shuffle(order, random);
     last_ = order;
     std::stable_sort(last_.begin(), last_.end(),
                      [&](std::size_t a, std::size_t b) { return volumes_[a] > volumes_[b]; });
