@@ -78,18 +78,14 @@ ConstructiveResult run_order(const constructive::Order& order, const DropAndRoll
                              RunContext& run) {
   ConstructiveResult result;
   Dropping dropping(order.cell, options);
-  double placed_volume = 0.0;
   constructive::place_in_order(
       order, run, result,
       [&](const OrderedBody& ordered, std::int64_t k) {
         check_ball(order.cell, ordered, k);
         if (k == 0) check_alone(order.cell, ordered, k, order.min_gap, Turn::as_given);
       },
-      [&](const Body& body, std::int64_t k) {
-        placed_volume += volume(body);
-        const auto expected = static_cast<std::int64_t>(volume(order.cell) / placed_volume *
-                                                        static_cast<double>(k + 1));
-        dropping.expect(order.wanted > 0 ? order.wanted : expected);
+      [&](const Body& body, std::int64_t k, std::int64_t expected) {
+        dropping.expect(expected);
         return dropping.place(circum_radius(body), k);
       });
   result.tested = dropping.tested();

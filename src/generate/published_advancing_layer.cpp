@@ -15,7 +15,6 @@
 #include "packstone/geometry/bounds.hpp"
 #include "packstone/geometry/contact.hpp"
 #include "packstone/geometry/inscribed_balls.hpp"
-#include "packstone/geometry/measures.hpp"
 #include "packstone/spatial/hierarchical_grid.hpp"
 #include "packstone/spatial/separation.hpp"
 #include "packstone/structure/standing.hpp"
@@ -67,18 +66,14 @@ PublishedLayerResult run_order(const constructive::Order& order,
                                RunContext& run) {
   PublishedLayerResult result;
   Placing placing(order.cell, options, largest);
-  double placed_area = 0.0;
   constructive::place_in_order(
       order, run, result,
       [&](const OrderedBody& ordered, std::int64_t k) {
         check_ordered(order.cell, ordered, k);
         if (k == 0) check_alone(order.cell, ordered, k, 0.0, Turn::as_given);
       },
-      [&](const Body& body, std::int64_t k) {
-        placed_area += volume(body);
-        const double expected = volume(order.cell) / placed_area * static_cast<double>(k + 1);
-        placing.layer().expect(order.wanted > 0 ? order.wanted
-                                                : static_cast<std::int64_t>(expected));
+      [&](const Body& body, std::int64_t, std::int64_t expected) {
+        placing.layer().expect(expected);
         return placing.place(body);
       });
   result.tested = placing.layer().tried().positions;

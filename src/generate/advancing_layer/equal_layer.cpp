@@ -19,7 +19,7 @@ EqualLayer<D>::EqualLayer(const Cell& cell, const Expected& expected, std::vecto
                           double min_gap, RandomStream random)
     : cell_(cell),
       radii_(std::move(radii)),
-      pockets_(cell, expected, min_gap),
+      balls_(cell, expected, min_gap),
       floor_(cell, random),
       heaps_(radii_.size()) {}
 
@@ -28,11 +28,10 @@ std::optional<Vec3> EqualLayer<D>::place(const Body& body, const Search&) {
   const double radius = circum_radius(body);
   const auto which = std::lower_bound(radii_.begin(), radii_.end(), radius) - radii_.begin();
   std::optional<Vec3> center = take_lowest(static_cast<std::size_t>(which));
-  if (!center) center = floor_.in_corner(pockets_, radius);
-  if (!center) center = floor_.anywhere(pockets_, radius);
+  if (!center) center = floor_.in_corner(balls_, radius);
+  if (!center) center = floor_.anywhere(balls_, radius);
   if (!center) return std::nullopt;
-  pockets_.add(*center, radius);
-  list_places(pockets_.balls().size() - 1);
+  list_places(balls_.add(*center, radius));
   return center;
 }
 
@@ -43,7 +42,7 @@ std::optional<Vec3> EqualLayer<D>::take_lowest(std::size_t which) {
     std::pop_heap(heap.begin(), heap.end(), kIsHigher);
     const Vec3 center = heap.back().center;
     heap.pop_back();
-    if (pockets_.is_clear(center, radii_[which])) return center;
+    if (balls_.is_clear(center, radii_[which])) return center;
   }
   return std::nullopt;
 }
@@ -51,7 +50,7 @@ std::optional<Vec3> EqualLayer<D>::take_lowest(std::size_t which) {
 template <int D>
 void EqualLayer<D>::list_places(std::int32_t anchor) {
   for (std::size_t which = 0; which < radii_.size(); ++which) {
-    pockets_.visit_places(anchor, radii_[which], [&](const Vec3& center) {
+    balls_.visit_places(anchor, radii_[which], [&](const Vec3& center) {
       heaps_[which].push_back({wrapped(cell_, center), center[kUp], listed_++});
       std::push_heap(heaps_[which].begin(), heaps_[which].end(), kIsHigher);
     });
@@ -60,15 +59,15 @@ void EqualLayer<D>::list_places(std::int32_t anchor) {
 
 template <int D>
 void EqualLayer<D>::list_near(double height) {
-  for (std::int32_t anchor = 0; anchor < pockets_.balls().size(); ++anchor) {
-    if (pockets_.is_near(pockets_.balls().center(anchor)[kUp], height)) list_places(anchor);
+  for (std::int32_t anchor = 0; anchor < balls_.size(); ++anchor) {
+    if (balls_.is_near(balls_.center(anchor)[kUp], height)) list_places(anchor);
   }
 }
 
 template <int D>
 void EqualLayer<D>::open_floor() {
   if (!cell_.periodic[kUp]) return;
-  pockets_.open_floor();
+  balls_.open_floor();
   list_near(0.0);
 }
 

@@ -11,7 +11,7 @@
 
 #include "generate/advancing_layer/floor_places.hpp"
 #include "generate/advancing_layer/layer.hpp"
-#include "generate/advancing_layer/pockets.hpp"
+#include "generate/advancing_layer/standing_balls.hpp"
 
 namespace packstone::advancing_layer {
 
@@ -24,8 +24,8 @@ class EqualLayer final : public Layer {
              RandomStream random);
 
   std::optional<Vec3> place(const Body& body, const Search& search) override;
-  [[nodiscard]] double top() const override { return pockets_.top(); }
-  [[nodiscard]] std::int64_t tests() const override { return pockets_.tests(); }
+  [[nodiscard]] double top() const override { return balls_.top(); }
+  [[nodiscard]] std::int64_t tests() const override { return balls_.tests(); }
   void open_floor() override;
 
  private:
@@ -44,7 +44,7 @@ class EqualLayer final : public Layer {
 
   Cell cell_;
   std::vector<double> radii_;
-  Pockets<D> pockets_;
+  StandingBalls<D> balls_;
   FloorPlaces<D> floor_;
   std::vector<Heap> heaps_;  // By radius.
   std::int64_t listed_ = 0;

@@ -20,11 +20,11 @@ std::optional<Vec3> RoundLayer<D>::place(const Body& body, const Search& search)
   const double radius = circum_radius(body);
   pockets_.find({radius, search.from, search.candidates}, found_);
   std::optional<Vec3> center = lowest_found(radius);
-  if (pockets_.top() < kLow * largest_) {
-    const auto corner = floor_.in_corner(pockets_, radius);
+  if (pockets_.balls().top() < kLow * largest_) {
+    const auto corner = floor_.in_corner(pockets_.balls(), radius);
     if (corner && (!center || (*corner)[kUp] < (*center)[kUp])) center = corner;
   }
-  if (!center && !search.holes) center = floor_.anywhere(pockets_, radius);
+  if (!center && !search.holes) center = floor_.anywhere(pockets_.balls(), radius);
   if (center) pockets_.add(*center, radius);
   return center;
 }
@@ -36,7 +36,7 @@ std::optional<Vec3> RoundLayer<D>::lowest_found(double radius) {
   });
   for (const Pocket& pocket : found_) {
     const Vec3 center = wrapped(cell_, pocket.center);
-    if (pockets_.is_clear(center, radius)) return center;
+    if (pockets_.balls().is_clear(center, radius)) return center;
   }
   return std::nullopt;
 }

@@ -18,8 +18,8 @@ class RoundLayer final : public Layer {
   RoundLayer(const Cell& cell, const Expected& expected, double min_gap, RandomStream random);
 
   std::optional<Vec3> place(const Body& body, const Search& search) override;
-  [[nodiscard]] double top() const override { return pockets_.top(); }
-  [[nodiscard]] std::int64_t tests() const override { return pockets_.tests(); }
+  [[nodiscard]] double top() const override { return pockets_.balls().top(); }
+  [[nodiscard]] std::int64_t tests() const override { return pockets_.balls().tests(); }
   void open_floor() override { pockets_.open_floor(); }
 
  private:

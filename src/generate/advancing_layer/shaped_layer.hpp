@@ -27,7 +27,7 @@ class ShapedLayer final : public Layer {
 
   std::optional<Vec3> place(const Body& body, const Search& search) override;
   [[nodiscard]] double top() const override { return top_; }
-  [[nodiscard]] std::int64_t tests() const override { return pockets_.tests(); }
+  [[nodiscard]] std::int64_t tests() const override { return pockets_.balls().tests(); }
   void open_floor() override {
     pockets_.open_floor();
     settling_.open_floor();

@@ -40,8 +40,17 @@ struct Order {
 /// Can the cell not hold body k of an endless supply, though it held the first one?
 [[nodiscard]] bool is_too_large(const Order& order, std::int64_t k, const Body& body);
 
-/// Fills `result`. check(ordered, k) throws for what may not be placed; place(body, k) gives the
-/// center, inside the cell, or nothing where the body has no position.
+/// How many bodies there will be, as far as those up to body k tell, of volume `volume_so_far`.
+[[nodiscard]] inline std::int64_t expected_count(const Order& order, std::int64_t k,
+                                                 double volume_so_far) {
+  if (order.wanted > 0) return order.wanted;
+  return static_cast<std::int64_t>(volume(order.cell) / volume_so_far *
+                                   static_cast<double>(k + 1));
+}
+
+/// Fills `result`. check(ordered, k) throws for what may not be placed; place(body, k, expected)
+/// gives the center, inside the cell, or nothing where the body has no position, `expected` being
+/// expected_count().
 template <class Check, class Place>
 void place_in_order(const Order& order, RunContext& run, ConstructiveResult& result, Check&& check,
                     Place&& place) {
@@ -54,14 +63,16 @@ void place_in_order(const Order& order, RunContext& run, ConstructiveResult& res
     }
     const OrderedBody ordered = order.source(k);
     if (order.wanted == 0) check(ordered, k);
+    placed_volume += volume(ordered.body);
     const std::optional<Vec3> center =
-        is_too_large(order, k, ordered.body) ? std::nullopt : place(ordered.body, k);
+        is_too_large(order, k, ordered.body)
+            ? std::nullopt
+            : place(ordered.body, k, expected_count(order, k, placed_volume));
     if (!center) {
       result.stop = ConstructiveStop::full;
       return;
     }
     result.packing.inclusions.push_back({*center, ordered.body, ordered.group});
-    placed_volume += volume(ordered.body);
     const double done =
         order.wanted == 0 ? -1.0 : static_cast<double>(k + 1) / static_cast<double>(order.wanted);
     run.report({order.stage, done, placed_volume / volume(order.cell), k + 1, order.wanted});

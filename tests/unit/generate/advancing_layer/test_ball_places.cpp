@@ -10,6 +10,7 @@
 #include "generate/advancing_layer/contact_arcs.hpp"
 #include "generate/advancing_layer/contact_caps.hpp"
 #include "generate/advancing_layer/pockets.hpp"
+#include "generate/advancing_layer/standing_balls.hpp"
 #include "packstone/core/random.hpp"
 
 namespace packstone::advancing_layer {
@@ -224,13 +225,53 @@ TEST_CASE("Pockets: a disk between two on the floor lies where the triangle says
   REQUIRE(found.size() == 2);
   // On the floor beside either disk, 1e-11 apart.
   for (const Pocket& pocket : found) CHECK(pocket.center.y == Approx(1.0).margin(1e-9));
+}
+
+TEST_CASE("StandingBalls: a disk on two others lies where the triangle says, and nothing lower") {
+  StandingBalls<2> balls(cell_2d(10.0, 10.0, false, false), {1.0, 1.0, 1.0, 3}, 0.0);
+  balls.add({3.0, 1.0, 0.0}, 1.0);
+  balls.add({5.5, 1.0, 0.0}, 1.0);
   double lowest_between = 0.0;
-  pockets.visit_places(0, 1.0, [&](const Vec3& center) {
+  balls.visit_places(0, 1.0, [&](const Vec3& center) {
     if (std::abs(center.x - 4.25) < 1e-6) lowest_between = center.y;
   });
   CHECK(lowest_between == Approx(1.0 + std::sqrt(4.0 - 1.25 * 1.25)).epsilon(1e-9));
-  CHECK(pockets.is_clear({4.25, lowest_between + 1e-6, 0.0}, 1.0));
-  CHECK_FALSE(pockets.is_clear({4.25, lowest_between - 1e-6, 0.0}, 1.0));
+  CHECK(balls.is_clear({4.25, lowest_between + 1e-6, 0.0}, 1.0));
+  CHECK_FALSE(balls.is_clear({4.25, lowest_between - 1e-6, 0.0}, 1.0));
+}
+
+TEMPLATE_TEST_CASE_SIG(
+    "StandingBalls: the radius that fails on a ball fails, and a little less fits", "",
+    ((int D), D), 2, 3) {
+  constexpr double kLargest = 1.5, kSmallest = 0.05, kStep = 0.1;
+  const Cell cell =
+      D == 2 ? cell_2d(10.0, 10.0, true, false) : Cell{3, {6.0, 6.0, 6.0}, {true, true, false}};
+  int bracketed = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RandomStream random(seed, StreamId::test);
+    StandingBalls<D> balls(cell, {kSmallest, kLargest, 0.5, 100}, 0.0);
+    for (int trial = 0; trial < 400; ++trial) {
+      const double radius = random.uniform(0.1, kLargest);
+      const Vec3 center = random_point(cell, random);
+      if (balls.is_clear(center, radius)) balls.add(center, radius);
+    }
+    Vec3 place;
+    for (std::int32_t anchor = 0; anchor < balls.size(); ++anchor) {
+      if (balls.lowest(anchor, kLargest, place)) continue;
+      const double fails = balls.failing_radius(anchor, kLargest, kStep);
+      REQUIRE(fails <= kLargest);
+      if (!(fails > kSmallest)) continue;
+      REQUIRE_FALSE(balls.lowest(anchor, fails, place));
+      // The bracket is an eighth of the last step, and this at most the way so far and one more.
+      const double width = (kLargest - fails + kStep * kLargest) / 8.0;
+      if (fails - width > kSmallest) {
+        REQUIRE(balls.lowest(anchor, fails - width - 1e-9, place));
+        REQUIRE(balls.is_clear(wrapped(cell, place), fails - width - 1e-9));
+        ++bracketed;
+      }
+    }
+  }
+  CHECK(bracketed > 50);
 }
 
 }  // namespace packstone::advancing_layer
