@@ -14,6 +14,8 @@ namespace packstone {
 namespace {
 
 using advancing_layer::attempt;
+using advancing_layer::Held;
+using advancing_layer::kSampled;
 using advancing_layer::Placement;
 using advancing_layer::Plan;
 using advancing_layer::plan_for;
@@ -71,14 +73,17 @@ AdvancingLayerResult place_all(const Cell& cell, const std::vector<OrderedBody>&
     tests += placed.tests;
     const bool done = placed.missing == 0.0 || placed.hopeless || is_last;
     if (!done && placed.stop == StopRequest::none) {
-      plan.held_back =
-          std::max(plan.held_back, std::min(kMostHeld, plan.held_back * plan.held_back_growth));
+      if (plan.held == Held::smallest) {
+        plan.held_back =
+            std::max(plan.held_back, std::min(kMostHeld, plan.held_back * plan.held_back_growth));
+      }
+      plan.held = Held::smallest;
       continue;
     }
     AdvancingLayerResult result = result_of(cell, bodies, placed);
     result.tested = tests;
     result.restarts = k;
-    result.held_back = plan.held_back;
+    result.held_back = plan.held == Held::sample ? kSampled : plan.held_back;
     return result;
   }
 }

@@ -32,8 +32,9 @@ struct AdvancingLayerOptions {
 
   /// Part of the volume (area), of the smallest bodies, that is placed last, largest first, in
   /// holes from random heights upward [-]. In [0, 1]. What is placed stays exactly what is ordered.
-  /// The more the denser, but what the holes do not take gathers at the top. Absent: 0.02 to 0.1,
-  /// more the wider the sizes are spread, and 1.7 times that with every restart, up to 0.3.
+  /// The more the denser, but what the holes do not take gathers at the top. Absent: first 0.03 of
+  /// all sizes, so that these stay spread evenly; with the first restart the smallest, 0.02 to 0.1
+  /// of them, more the wider the sizes are spread, and 1.7 times that with every other, up to 0.3.
   std::optional<double> held_back = {};
 
   /// Whether bodies go on into the room that is left, under the ceiling and below, when one finds
@@ -51,8 +52,8 @@ struct AdvancingLayerOptions {
 
 /// What a run produced.
 struct AdvancingLayerResult : ConstructiveResult {
-  /// Part of the volume, of the smallest bodies, that was placed last [-]. Much more than 0.05:
-  /// they gather below the ceiling.
+  /// Part of the volume that was placed last [-]. Much more than 0.05: of the smallest bodies, which
+  /// gather below the ceiling.
   double held_back = 0.0;
 
   /// Height of the highest point of all others [L]. Far below the ceiling: so much less is ordered

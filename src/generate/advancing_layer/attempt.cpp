@@ -79,24 +79,13 @@ class Run {
   }
 
  private:
-  // A random order, or the one given, without the smallest bodies, which come last, in the order of
-  // their sizes.
+  // A random order, or the one given, without what is held back, which comes last, in the order of
+  // sizes.
   void split_order(RandomStream random) {
     Order order(bodies_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!plan_.in_order) shuffle(order, random);
-    last_ = order;
-    std::stable_sort(last_.begin(), last_.end(),
-                     [&](std::size_t a, std::size_t b) { return volumes_[a] > volumes_[b]; });
-    const double total = std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
-    double held = 0.0;
-    std::size_t count = 0;
-    while (count < last_.size()) {
-      held += volumes_[last_[last_.size() - 1 - count]];
-      if (held > plan_.held_back * total) break;
-      ++count;
-    }
-    last_.erase(last_.begin(), last_.end() - static_cast<std::ptrdiff_t>(count));
+    plan_.held == Held::sample ? hold_back_sample(order) : hold_back_smallest(order);
     std::vector<bool> is_held(bodies_.size(), false);
     for (const std::size_t k : last_) is_held[k] = true;
     for (const std::size_t k : order) {
@@ -104,6 +93,44 @@ class Run {
       first_.push_back(k);
       to_lay_ += volumes_[k];
     }
+  }
+
+  void hold_back_smallest(const Order& order) {
+    const double most = plan_.held_back * total_volume();
+    last_ = order;
+    sort_by_size(last_);
+    double held = 0.0;
+    std::size_t count = 0;
+    while (count < last_.size()) {
+      held += volumes_[last_[last_.size() - 1 - count]];
+      if (held > most) break;
+      ++count;
+    }
+    last_.erase(last_.begin(), last_.end() - static_cast<std::ptrdiff_t>(count));
+  }
+
+  // Without those that would hardly go under the ceiling, where it would be by what is held back.
+  void hold_back_sample(const Order& order) {
+    constexpr double kWidest = 0.8;
+    const double wanted = kSampled * total_volume();
+    const double widest = kWidest * kSampled * cell_.size[vertical_axis(cell_)];
+    double held = 0.0;
+    for (std::size_t m = order.size(); m > 0 && held < wanted; --m) {
+      const std::size_t k = order[m - 1];
+      if (2.0 * circum_radius(bodies_[k].body) > widest) continue;
+      held += volumes_[k];
+      last_.push_back(k);
+    }
+    sort_by_size(last_);
+  }
+
+  void sort_by_size(Order& order) const {
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return volumes_[a] > volumes_[b]; });
+  }
+
+  [[nodiscard]] double total_volume() const {
+    return std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
   }
 
   // In the layer on top; where that is full, anywhere.
@@ -121,12 +148,22 @@ class Run {
     return layer_->place(body, {from, plan_.candidates, false});
   }
 
-  // In a hole, from a random height upward, or else anywhere.
+  // Of a sample on top, or else in a hole; of the smallest in a hole, or else on top. Along a period
+  // holes come first, for those where the floor has been.
   std::optional<Vec3> fit_in(const Body& body) {
+    if (plan_.held == Held::sample && !cell_.periodic[vertical_axis(cell_)]) {
+      if (const auto place = on_top(body)) return place;
+      return in_hole(body);
+    }
+    if (const auto place = in_hole(body)) return place;
+    return on_top(body);
+  }
+
+  // From a random height upward, or else anywhere.
+  std::optional<Vec3> in_hole(const Body& body) {
     const double from = heights_.uniform(0.0, layer_->top());
     if (const auto place = layer_->place(body, {from, plan_.hole_candidates, true})) return place;
-    if (const auto place = layer_->place(body, {0.0, plan_.hole_candidates, true})) return place;
-    return on_top(body);
+    return layer_->place(body, {0.0, plan_.hole_candidates, true});
   }
 
   void keep(std::size_t k, const std::optional<Vec3>& center) {
@@ -149,9 +186,11 @@ class Run {
   bool is_hopeless() {
     constexpr double kMuch = 0.02;  // volume over that of the cell
     constexpr double kFew = 5.0;
+    constexpr double kMoreHeld = 0.05;  // By the next attempt.
     if (placement_.hopeless) return true;
     const double largest = *std::max_element(volumes_.begin(), volumes_.end());
-    const double much = std::max(kMuch * volume(cell_), kFew * largest);
+    const double much = std::max(kMuch * volume(cell_), kFew * largest) +
+                        (plan_.held == Held::sample ? kMoreHeld * total_volume() : 0.0);
     placement_.hopeless = to_lay_ - placement_.placed - placement_.missing > much;
     return placement_.hopeless;
   }
@@ -181,13 +220,14 @@ Plan plan_for(const AdvancingLayerOptions& options, const std::vector<OrderedBod
   constexpr double kGrowth = 1.7;
   // The wider sizes are spread the less comparing gains: among sizes enough one fits every place.
   const int for_balls = static_cast<int>(std::clamp(0.04 / (wide * wide * wide), 1.0, 24.0));
-  const double held = std::clamp(0.2 * wide, 0.02, 0.1);
+  const double held = std::clamp(0.27 * wide, 0.02, 0.1);
   const int candidates =
       options.candidates.value_or(round ? for_balls : candidates_for_shapes(bodies));
   return {.min_gap = options.min_gap,
           .top_layer = options.top_layer,
           .candidates = candidates,
           .hole_candidates = round ? 1 : candidates,
+          .held = options.close_top && !options.held_back ? Held::sample : Held::smallest,
           .held_back = options.close_top ? options.held_back.value_or(held) : 0.0,
           .held_back_growth = options.held_back ? 1.0 : kGrowth,
           .close_top = options.close_top,

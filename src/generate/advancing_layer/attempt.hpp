@@ -14,13 +14,23 @@
 
 namespace packstone::advancing_layer {
 
+/// Which bodies come last.
+enum class Held {
+  sample,    ///< Some of all sizes: sizes stay spread evenly over the height.
+  smallest,  ///< Denser.
+};
+
+/// Volume of the sample over that of all bodies [-].
+inline constexpr double kSampled = 0.03;
+
 /// AdvancingLayerOptions with what was absent chosen for these bodies.
 struct Plan {
   double min_gap = 0.0;
   double top_layer = 0.0;
   int candidates = 0;
   int hole_candidates = 0;  ///< The same for bodies that are held back.
-  double held_back = 0.0;
+  Held held = Held::smallest;
+  double held_back = 0.0;         ///< Part of the volume, where the smallest are held back.
   double held_back_growth = 1.0;  ///< Factor on that from attempt to attempt.
   bool close_top = true;
   bool in_order = false;  ///< Bodies are placed in the order given.
@@ -41,7 +51,7 @@ struct Placement {
   StopRequest stop = StopRequest::none;  ///< Then the rest was not tried.
 };
 
-/// Places `bodies` in a random order, the smallest last.
+/// Places `bodies` in a random order, what is held back last.
 ///
 /// @param attempt  Number of the attempt: keys the order.
 /// @param is_last  Whether to go on when one has found no place; others end there, unless it is

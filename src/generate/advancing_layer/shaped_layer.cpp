@@ -80,19 +80,17 @@ std::optional<Vec3> ShapedLayer<D>::place(const Body& body, const Search& search
   constexpr std::int64_t kFew = 30;
   const Mover mover(body);
   const Guide guide = guide_of(body);
-  places_.clear();
+  lowest_.reset();
   try_pockets(mover, guide, search);
   if (standing_ < kFew) try_columns(mover);
-  std::optional<Vec3> place = lowest_clear(mover);
-  if (!place && !search.holes) {
+  if (!lowest_ && !search.holes) {
     // What failed for others need not fail for this one.
     pockets_.renew_above(search.from);
     try_pockets(mover, guide, search);
     try_columns(mover);
-    place = lowest_clear(mover);
   }
-  if (!place) return std::nullopt;
-  const Vec3 center = wrapped(cell_, *place);
+  if (!lowest_) return std::nullopt;
+  const Vec3 center = wrapped(cell_, *lowest_);
   add(body, mover, center);
   return center;
 }
@@ -124,11 +122,11 @@ void ShapedLayer<D>::try_pockets(const Mover& mover, const Guide& guide, const S
   int tries = 0;
   for (const Start& start : starts_) {
     // More than asked for until there is one place: there may be none but high up.
-    if (++tries > search.candidates && !places_.empty()) break;
+    if (++tries > search.candidates && lowest_) break;
     const Vec3& center = found_[start.first].center;
-    if (center[kUp] > lowest_place() + kAbove * mover.reach) break;
+    if (center[kUp] > lowest_height() + kAbove * mover.reach) break;
     if (settle_from(mover, center, search.holes ? 0 : kLifts)) {
-      if (search.holes && !places_.empty()) return;
+      if (search.holes && lowest_) return;
       continue;
     }
     // One of another orientation might fit, but hardly a larger one.
@@ -147,33 +145,23 @@ bool ShapedLayer<D>::settle_from(const Mover& mover, const Vec3& start, int lift
   for (int lift = 0; lift <= lifts; ++lift) {
     Vec3 center = start;
     center[kUp] += lift * kLift * mover.reach;
-    const Outcome outcome = settling_.settle(mover, center, lowest_place(), work_);
+    const Outcome outcome = settling_.settle(mover, center, lowest_height(), work_);
     if (outcome == Outcome::overlaps) continue;
     if (outcome == Outcome::lags) return true;
     const double ceiling = cell_.size[kUp] - mover.half_extents[kUp];
     if (!cell_.periodic[kUp] && center[kUp] > ceiling) return false;
-    places_.push_back(center);
+    if (center[kUp] >= lowest_height()) return true;
+    // Where rounding leaves that open, another place has to do.
+    if (!settling_.is_clear(mover, center, work_)) return false;
+    lowest_ = center;
     return true;
   }
   return false;
 }
 
 template <int D>
-double ShapedLayer<D>::lowest_place() const {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vec3& place : places_) lowest = std::min(lowest, place[kUp]);
-  return lowest;
-}
-
-template <int D>
-std::optional<Vec3> ShapedLayer<D>::lowest_clear(const Mover& mover) {
-  std::stable_sort(places_.begin(), places_.end(),
-                   [](const Vec3& a, const Vec3& b) { return a[kUp] < b[kUp]; });
-  for (const Vec3& place : places_) {
-    if (settling_.is_clear(mover, place, work_)) return place;
-  }
-  places_.clear();
-  return std::nullopt;
+double ShapedLayer<D>::lowest_height() const {
+  return lowest_ ? (*lowest_)[kUp] : std::numeric_limits<double>::infinity();
 }
 
 // From above all that stands, at random.

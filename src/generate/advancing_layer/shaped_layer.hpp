@@ -48,13 +48,12 @@ class ShapedLayer final : public Layer {
 
   [[nodiscard]] Guide guide_of(const Body& body) const;
   void list_starts(const Guide& guide, const Search& search);
-  // Each fills places_.
+  // Each lowers lowest_.
   void try_pockets(const Mover& mover, const Guide& guide, const Search& search);
   void try_columns(const Mover& mover);
 
   bool settle_from(const Mover& mover, const Vec3& start, int lifts);
-  [[nodiscard]] double lowest_place() const;
-  std::optional<Vec3> lowest_clear(const Mover& mover);
+  [[nodiscard]] double lowest_height() const;
   void add(const Body& body, const Mover& mover, const Vec3& center);
 
   Cell cell_;
@@ -65,7 +64,7 @@ class ShapedLayer final : public Layer {
   double least_guide_;
   std::vector<Pocket> found_;
   std::vector<Start> starts_;
-  std::vector<Vec3> places_;  // Where the body would come to rest.
+  std::optional<Vec3> lowest_;  // Where the body would rest, clear for certain.
   std::int64_t standing_ = 0;
   double top_ = 0.0;
 };
