@@ -148,10 +148,11 @@ class Run {
     return layer_->place(body, {from, plan_.candidates, false});
   }
 
-  // Of a sample on top, or else in a hole; of the smallest in a hole, or else on top. Along a period
-  // holes come first, for those where the floor has been.
+  // In a hole, or else on top. Disks of a sample the other way round: there are hardly any holes
+  // for them but, along a period, where the floor has been.
   std::optional<Vec3> fit_in(const Body& body) {
-    if (plan_.held == Held::sample && !cell_.periodic[vertical_axis(cell_)]) {
+    if (plan_.held == Held::sample && kind(body) == ShapeKind::disk &&
+        !cell_.periodic[vertical_axis(cell_)]) {
       if (const auto place = on_top(body)) return place;
       return in_hole(body);
     }
