@@ -155,16 +155,15 @@ class Tessellator {
                             cell.second - cell.measure * dyad(mean));
   }
 
-  // Proportional to what is ordered, for all cells or for all that touch no wall now.
+  // Proportional to what is ordered, for all cells or for those that count.
   void set_targets() {
     std::vector<char> kept(grains_.size(), 0);
     CellSums sums;
     if (options_.keep_wall_cells && !fully_periodic()) {
       sums = laguerre::cell_sums(box_, sites_, laguerre::centers_of(grains_), run_.threads());
-      kept = sums.at_wall;
       for (std::size_t g = 0; g < kept.size(); ++g) {
         // One without a cell has no measure to keep.
-        if (sums.cells[g].measure <= 0.0) kept[g] = 0;
+        kept[g] = counts_[g] == 0 && sums.cells[g].measure > 0.0 ? 1 : 0;
       }
     }
     double ordered = 0.0, left = volume(box_);

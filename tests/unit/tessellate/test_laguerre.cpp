@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "packstone/core/compensated_sum.hpp"
 #include "packstone/core/error.hpp"
@@ -255,6 +256,33 @@ TEST_CASE("cells at walls keep what they are found with, or do not") {
   for (std::size_t g = 0; g < all.shapes.size(); ++g) {
     CHECK(all.shapes[g].measure * phi == Approx(volume(packing.inclusions[g].body)).epsilon(1e-8));
   }
+}
+
+TEST_CASE("cells that come to a wall as bodies grow count as any other") {
+  // Growth by the fraction moves cells to walls and away from them.
+  Packing packing;
+  packing.cell = cell_2d(1, 1, false, false);
+  packing.groups = {"grains"};
+  RandomStream random(3, StreamId::test, 0);
+  for (int k = 0; k < 12; ++k) {
+    for (int j = 0; j < 12; ++j) {
+      const Vec3 at{(k + random.uniform(0.05, 0.95)) / 12, (j + random.uniform(0.05, 0.95)) / 12,
+                    0.0};
+      packing.inclusions.push_back({at, Disk{random.uniform(0.003, 0.03)}, 0});
+    }
+  }
+  const auto cells_at_walls = [&](const LaguerreOptions& options) {
+    std::set<std::int32_t> at_wall;
+    for (const Facet& facet : laguerre_tessellate(packing, options).tessellation.facets) {
+      if (facet.outer == Facet::kWall) at_wall.insert(facet.inner);
+    }
+    return at_wall;
+  };
+  REQUIRE(cells_at_walls(published_laguerre()) != cells_at_walls({.ordered_measures = false}));
+  const LaguerreReport report = laguerre_tessellate(packing).report;
+  CHECK(report.made.cells == report.published.cells);
+  CHECK(report.made.largest_measure_error < 1e-6);
+  CHECK(report.published.largest_measure_error > 0.1);
 }
 
 TEST_CASE("a single grain fills the box") {
