@@ -52,8 +52,8 @@ struct AdvancingLayerOptions {
 
 /// What a run produced.
 struct AdvancingLayerResult : ConstructiveResult {
-  /// Part of the volume that was placed last [-]. Much more than 0.05: of the smallest bodies, which
-  /// gather below the ceiling.
+  /// Part of the volume that was placed last [-]. Much more than 0.05: of the smallest bodies,
+  /// which gather below the ceiling.
   double held_back = 0.0;
 
   /// Height of the highest point of all others [L]. Far below the ceiling: so much less is ordered

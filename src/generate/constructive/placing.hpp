@@ -44,8 +44,7 @@ struct Order {
 [[nodiscard]] inline std::int64_t expected_count(const Order& order, std::int64_t k,
                                                  double volume_so_far) {
   if (order.wanted > 0) return order.wanted;
-  return static_cast<std::int64_t>(volume(order.cell) / volume_so_far *
-                                   static_cast<double>(k + 1));
+  return static_cast<std::int64_t>(volume(order.cell) / volume_so_far * static_cast<double>(k + 1));
 }
 
 /// Fills `result`. check(ordered, k) throws for what may not be placed; place(body, k, expected)
