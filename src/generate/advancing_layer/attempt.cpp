@@ -109,7 +109,8 @@ class Run {
     last_.erase(last_.begin(), last_.end() - static_cast<std::ptrdiff_t>(count));
   }
 
-  // Without those that would hardly go under the ceiling, where it would be by what is held back.
+  // The gap below the ceiling is about as high as what is held back would fill: without those that
+  // hardly go into it.
   void hold_back_sample(const Order& order) {
     constexpr double kWidest = 0.8;
     const double wanted = kSampled * total_volume();

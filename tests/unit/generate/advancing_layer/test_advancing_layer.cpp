@@ -75,6 +75,27 @@ TEST_CASE("advancing_layer_pack places every disk of an order, as dense as publi
   pack_scene(scenes::bimodal_balls(2, 4.0, 3), 2000, 0.79, false, {.seed = 3});
 }
 
+TEST_CASE("advancing_layer_pack spreads sizes evenly over the height where an order fits so") {
+  const auto supply = scenes::lognormal_balls(2, 0.55, 48.0, 4);
+  const Cell cell = scenes::cell_for(supply, 5000, 0.865, false);
+  // Mean radius, weighted by area, of those in the uppermost tenth over that of all.
+  const auto at_top = [&](const AdvancingLayerOptions& options) {
+    const auto result = advancing_layer_pack(cell, first_of(supply, 5000), options);
+    require_valid(result);
+    double area[2] = {}, sum[2] = {};
+    for (const Inclusion& i : result.packing.inclusions) {
+      for (const int top : {0, 1}) {
+        if (top == 1 && i.center.y < 0.9 * cell.size.y) continue;
+        area[top] += volume(i.body);
+        sum[top] += volume(i.body) * circum_radius(i.body);
+      }
+    }
+    return (sum[1] / area[1]) / (sum[0] / area[0]);
+  };
+  CHECK(at_top({}) == Approx(1.0).margin(0.12));
+  CHECK(at_top({.held_back = 0.15}) < 0.6);
+}
+
 TEST_CASE("advancing_layer_pack places ellipses that keep their orientations and never overlap") {
   // Aspect 1.5: 0.8133 of 5081 ellipses, aspect 4: 0.7284 of 4596 (figures 9 and 10), by circles.
   pack_scene(scenes::uniform_ellipses(1.5, 10.0, 1), 700, 0.78, false, {.seed = 1});
