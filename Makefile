@@ -74,7 +74,7 @@ sanitize: setup-test  ## Fast tests under the address and undefined-behavior san
 	ctest --test-dir build-asan-ubsan -L fast -j $(BUILD_JOBS) --output-on-failure
 
 # Test programs whose code uses threads.
-THREADED := core spatial structure generate measure io recipe
+THREADED := core spatial structure generate tessellate measure io recipe
 
 tsan: setup-test  ## Fast tests that use threads under the thread sanitizer
 	cmake --preset tsan $(CMAKE_FLAGS)
