@@ -33,9 +33,15 @@ void add_export(CLI::App& app, int& exit_code) {
   command->add_flag("--images", arguments->options.images,
                     "Also the periodic images that reach into the cell;\n"
                     "tables then name the faces that each cuts");
+  command
+      ->add_option("--balls", arguments->options.ball_spacing,
+                   "Table of the balls in each body: distance\nof the first two, 0.01 to 1")
+      ->type_name("S");
   command->footer("Example: packstone export fibers.json -o fibers.vtu");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".vtu", ".stl", ".csv"});
+    if (arguments->options.ball_spacing)
+      check_output_file(arguments->output, {".csv"}, "--balls -o");
     const Packing packing = read_packing(arguments->packing);
     if (packing.cell.dimension == 2 &&
         std::filesystem::path(arguments->output).extension() == ".stl") {

@@ -11,5 +11,7 @@ namespace packstone {
 void write_vtu(ByteWriter& out, const Packing& packing, const ExportOptions& options);
 void write_stl(ByteWriter& out, const Packing& packing, const ExportOptions& options);
 void write_csv(ByteWriter& out, const Packing& packing, const ExportOptions& options);
+/// Where `ball_spacing` is given.
+void write_balls_csv(ByteWriter& out, const Packing& packing, const ExportOptions& options);
 
 }  // namespace packstone

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "packstone/core/error.hpp"
+#include "packstone/geometry/inscribed_balls.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/io/packing_file.hpp"
 #include "packstone/io/surface_mesh.hpp"
@@ -115,6 +116,40 @@ TEST_CASE("a CSV export of a 2D packing lists the images that reach into the cel
       std::string::npos);
   CHECK(text.find(",0.3,0.1,0.5,0,0,\n") != std::string::npos);
   CHECK(std::count(text.begin(), text.end(), '\n') == 4);
+}
+
+TEST_CASE("balls are exported as a table, inside their bodies") {
+  const test::TemporaryFolder folder;
+  const Packing packing = two_flat_shapes();
+  export_packing(folder / "balls.csv", packing, {.images = true, .ball_spacing = 0.5});
+  std::istringstream lines(test::content_of(folder / "balls.csv"));
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "inclusion,group,center_x,center_y,radius");
+  std::getline(lines, line);
+  CHECK(line == "0,plates,1.95,0.5,0.1");
+  std::getline(lines, line);
+  CHECK(line == "0,plates,-0.050000000000000044,0.5,0.1");
+  const auto balls = inscribed_balls(packing.inclusions[1].body, 0.5);
+  REQUIRE(balls.size() > 3);
+  std::size_t count = 0;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string inclusion, group, x, y, radius;
+    for (std::string* field : {&inclusion, &group, &x, &y, &radius})
+      std::getline(fields, *field, ',');
+    CHECK(inclusion == "1");
+    CHECK(std::stod(x) == packing.inclusions[1].center.x + balls[count].center.x);
+    CHECK(std::stod(y) == packing.inclusions[1].center.y + balls[count].center.y);
+    CHECK(std::stod(radius) == balls[count].radius);
+    ++count;
+  }
+  CHECK(count == balls.size());
+
+  CHECK_THROWS_WITH(export_packing(folder / "balls.vtu", packing, {.ball_spacing = 0.5}),
+                    Catch::Contains("balls are a table, which ends in .csv"));
+  CHECK_THROWS_WITH(export_packing(folder / "balls.csv", packing, {.ball_spacing = 2.0}),
+                    "ball_spacing = 2, allowed are 0.01 to 1");
 }
 
 TEST_CASE("a fiber longer than the cell is exported with all images that reach into it") {
