@@ -9,9 +9,8 @@
 #include <string>
 
 #include "packstone/core/run_context.hpp"
-#include "progress_printer.hpp"
-
 #include "packstone/io/draw.hpp"
+#include "progress_printer.hpp"
 
 namespace packstone::cli {
 

@@ -40,8 +40,6 @@ void add_export(CLI::App& app, int& exit_code) {
   command->footer("Example: packstone export fibers.json -o fibers.vtu");
   command->callback([arguments, &exit_code] {
     check_output_file(arguments->output, {".vtu", ".stl", ".csv"});
-    if (arguments->options.ball_spacing)
-      check_output_file(arguments->output, {".csv"}, "--balls -o");
     const Packing packing = read_packing(arguments->packing);
     if (packing.cell.dimension == 2 &&
         std::filesystem::path(arguments->output).extension() == ".stl") {

@@ -14,9 +14,7 @@
 #include "packstone/io/draw_tessellation.hpp"
 #include "packstone/io/export_tessellation.hpp"
 #include "packstone/io/packing_file.hpp"
-#include "packstone/recipe/recipe.hpp"
 #include "packstone/tessellate/laguerre.hpp"
-#include "progress_printer.hpp"
 
 namespace packstone::cli {
 namespace {

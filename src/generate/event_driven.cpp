@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "generate/event_driven/engine.hpp"
@@ -15,6 +14,7 @@
 #include "generate/event_driven/starting_points.hpp"
 #include "generate/ordered_bodies.hpp"
 #include "packstone/core/error.hpp"
+#include "packstone/geometry/equal_ball.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "packstone/structure/check_packing.hpp"
 #include "packstone/structure/orientation_law.hpp"
@@ -68,8 +68,7 @@ void check_bodies(const Cell& cell, const std::vector<OrderedBody>& bodies,
 double mean_radius(const Packing& packing) {
   const double mean =
       fraction(packing) * volume(packing.cell) / static_cast<double>(packing.inclusions.size());
-  if (packing.cell.dimension == 2) return std::sqrt(mean / std::numbers::pi);
-  return std::cbrt(0.75 * mean / std::numbers::pi);
+  return equal_ball_radius(packing.cell.dimension, mean);
 }
 
 double nematic_order(const Packing& packing) {

@@ -11,8 +11,7 @@
 ///   whole box among each other as they share the packing;
 /// - the balls of each inclusion get one more weight, by which the measures of all cells become
 ///   exactly proportional to those of the inclusions;
-/// - on request the balls (in the plane), or the bodies that they are put into (in space), are
-/// moved
+/// - on request the balls (in the plane) or the bodies that they are put into (in space) are moved
 ///   until the cells have the aspect and the orientation that the inclusions have.
 
 #include <cstdint>

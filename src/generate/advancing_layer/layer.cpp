@@ -1,8 +1,6 @@
 #include "generate/advancing_layer/layer.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -10,6 +8,7 @@
 #include "generate/advancing_layer/round_layer.hpp"
 #include "generate/advancing_layer/shaped_layer.hpp"
 #include "packstone/geometry/bounds.hpp"
+#include "packstone/geometry/equal_ball.hpp"
 #include "packstone/geometry/measures.hpp"
 
 namespace packstone::advancing_layer {
@@ -31,10 +30,8 @@ Expected expected_of(const std::vector<OrderedBody>& bodies) {
     sum += volume(ordered.body);
     balls += balls_of(ordered.body);
   }
-  const bool plane = dimension(kind(bodies.front().body)) == 2;
-  const double mean = sum / static_cast<double>(bodies.size());
-  expected.typical =
-      plane ? std::sqrt(mean / std::numbers::pi) : std::cbrt(0.75 * mean / std::numbers::pi);
+  expected.typical = equal_ball_radius(dimension(kind(bodies.front().body)),
+                                       sum / static_cast<double>(bodies.size()));
   expected.count = static_cast<std::int64_t>(balls);
   return expected;
 }
@@ -70,8 +67,7 @@ std::unique_ptr<Layer> layer_in(const Cell& cell, const std::vector<OrderedBody>
 double guide_radius(const Body& body) {
   if (is_round(kind(body))) return circum_radius(body);
   constexpr double kPart = 0.8;
-  if (dimension(kind(body)) == 2) return kPart * std::sqrt(volume(body) / std::numbers::pi);
-  return kPart * std::cbrt(0.75 * volume(body) / std::numbers::pi);
+  return kPart * equal_ball_radius(dimension(kind(body)), volume(body));
 }
 
 std::unique_ptr<Layer> make_layer(const Cell& cell, const std::vector<OrderedBody>& bodies,

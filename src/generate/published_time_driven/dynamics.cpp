@@ -1,10 +1,9 @@
 #include "generate/published_time_driven/dynamics.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <variant>
 
+#include "packstone/geometry/equal_ball.hpp"
 #include "packstone/geometry/measures.hpp"
 
 namespace packstone::time_driven {
@@ -31,7 +30,7 @@ double squared_size(const Packing& packing) {
   double total = 0.0;
   for (const Inclusion& inclusion : packing.inclusions) total += volume(inclusion.body);
   const double mean = total / static_cast<double>(packing.inclusions.size());
-  const double radius = std::cbrt(0.75 * mean / std::numbers::pi);
+  const double radius = equal_ball_radius(3, mean);
   return radius * radius;
 }
 

@@ -124,10 +124,7 @@ void cells_2d(const std::filesystem::path& path, const Tessellation& t, const Pa
   const Sheet sheet = sheet_for(frame, options.picture);
   const std::vector<Vec3> colors = cell_colors(t, options.picture.color_by);
   draw_sheet(path, sheet, t.box, [&](cairo_t* to) {
-    if (cut) {
-      cairo_rectangle(to, 0, 0, t.box.size.x, t.box.size.y);
-      cairo_clip(to);
-    }
+    if (cut) clip_to(to, t.box);
     draw_patches(to, patches, colors, 1.2 / sheet.pixels);
     if (options.inclusions) draw_inclusions(to, packing, cut, 0.8 / sheet.pixels);
   });

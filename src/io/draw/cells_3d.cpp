@@ -22,28 +22,15 @@ std::vector<OuterFacet> outer_facets_of(const Tessellation& t) {
   for (const Facet& facet : t.facets) {
     const bool wall = facet.outer == Facet::kWall;
     if (!wall && facet.image == std::array<int, 3>{}) continue;
-    const auto first = t.corners.begin() + facet.first_corner;
-    OuterFacet seen{{first, first + facet.corner_count}, static_cast<std::size_t>(facet.inner)};
-    list.push_back(seen);
+    list.push_back({placed_facet(t, facet, false), static_cast<std::size_t>(facet.inner)});
     if (wall) continue;
-    for (FacetCorner& corner : seen.corners) {
-      for (std::size_t a = 0; a < 3; ++a) corner.image[a] -= facet.image[a];
-    }
-    seen.cell = static_cast<std::size_t>(facet.outer);
-    list.push_back(std::move(seen));
+    list.push_back({placed_facet(t, facet, true), static_cast<std::size_t>(facet.outer)});
   }
   return list;
 }
 
 // Facets of one cell that meet at less than this are one surface for the eye: cosine of 25 degrees.
 constexpr double kSmooth = 0.906;
-
-Vec3 normal_of(const Tessellation& t, const OuterFacet& facet) {
-  const std::vector<Vec3> at = positions(t, facet.corners);
-  Vec3 normal;
-  for (std::size_t k = 2; k < at.size(); ++k) normal += cross(at[k - 1] - at[0], at[k] - at[0]);
-  return norm_sq(normal) > 0.0 ? normalized(normal) : normal;
-}
 
 // What lies to the sides of an edge: so far one facet of `cell`.
 struct Sides {
@@ -78,7 +65,7 @@ std::vector<Solid> outer_edges(const Tessellation& tessellation) {
   PlacedCorners points;
   std::map<std::pair<std::size_t, std::size_t>, Sides> edges;
   for (const OuterFacet& facet : outer_facets_of(tessellation)) {
-    const Vec3 normal = normal_of(tessellation, facet);
+    const Vec3 normal = polygon_normal(positions(tessellation, facet.corners));
     for (std::size_t k = 0; k < facet.corners.size(); ++k) {
       const std::size_t a = points.number(facet.corners[k]);
       const std::size_t b = points.number(facet.corners[(k + 1) % facet.corners.size()]);

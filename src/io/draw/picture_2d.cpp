@@ -24,15 +24,16 @@ Frame frame_of_bodies(const Packing& packing, bool cut) {
 
 void draw_body(cairo_t* to, const Body& body, const Vec3& center, const Vec3& color, double line) {
   outline(to, body, center);
-  fill_and_stroke(to, color, line);
+  set_color(to, color);
+  cairo_fill_preserve(to);
+  set_color(to, 0.35 * color);
+  cairo_set_line_width(to, line);
+  cairo_stroke(to);
 }
 
 void draw_bodies(cairo_t* to, const Packing& packing, const DrawOptions& options, double line) {
   const std::vector<Vec3> colors = inclusion_colors(packing, options.color_by);
-  if (options.cut) {
-    cairo_rectangle(to, 0, 0, packing.cell.size.x, packing.cell.size.y);
-    cairo_clip(to);
-  }
+  if (options.cut) clip_to(to, packing.cell);
   for (std::size_t i = 0; i < packing.inclusions.size(); ++i) {
     const Inclusion& inclusion = packing.inclusions[i];
     if (options.cut) {

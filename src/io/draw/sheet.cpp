@@ -95,12 +95,9 @@ void outline(cairo_t* to, const Body& body, const Vec3& center) {
   cairo_restore(to);
 }
 
-void fill_and_stroke(cairo_t* to, const Vec3& color, double line) {
-  set_color(to, color);
-  cairo_fill_preserve(to);
-  set_color(to, 0.35 * color);
-  cairo_set_line_width(to, line);
-  cairo_stroke(to);
+void clip_to(cairo_t* to, const Cell& cell) {
+  cairo_rectangle(to, 0, 0, cell.size.x, cell.size.y);
+  cairo_clip(to);
 }
 
 void draw_sheet(const std::filesystem::path& path, const Sheet& sheet, const Cell& cell,

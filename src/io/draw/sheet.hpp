@@ -42,8 +42,8 @@ void set_color(cairo_t* to, const Vec3& linear);
 /// The outline of a body in the plane as the current path.
 void outline(cairo_t* to, const Body& body, const Vec3& center);
 
-/// Fills the current path and strokes it in a darker shade; `line` [L].
-void fill_and_stroke(cairo_t* to, const Vec3& color, double line);
+/// From now on nothing is drawn outside the cell.
+void clip_to(cairo_t* to, const Cell& cell);
 
 /// Draws on white paper, with y upward and in units of the cell, by calling `draw`; then the faces
 /// of the cell. Writes to `path`, format by ending (.png or .svg). Throws FileError.

@@ -16,13 +16,8 @@ namespace {
 // A facet as its cell sees it: turned outward, where the cell stands.
 CornerLoop facet_of_cell(const Tessellation& t, const CellFacets::Entry& entry) {
   const Facet& facet = t.facets[static_cast<std::size_t>(entry.facet)];
-  const auto first = t.corners.begin() + facet.first_corner;
-  CornerLoop loop(first, first + facet.corner_count);
-  if (!entry.outer) return loop;
-  std::reverse(loop.begin(), loop.end());
-  for (FacetCorner& corner : loop) {
-    for (std::size_t a = 0; a < 3; ++a) corner.image[a] -= facet.image[a];
-  }
+  CornerLoop loop = placed_facet(t, facet, entry.outer);
+  if (entry.outer) std::reverse(loop.begin(), loop.end());
   return loop;
 }
 

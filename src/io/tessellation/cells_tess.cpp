@@ -19,6 +19,7 @@ namespace {
 
 using Image = std::array<int, 3>;
 
+Image plus(const Image& a, const Image& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Image minus(const Image& a, const Image& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 std::string tag(std::size_t index) { return std::to_string(index + 1); }
@@ -114,11 +115,7 @@ class TessFile {
     const std::size_t slot = facets_.add(f, shift);
     if (slot < faces_.size()) return slot;
     TessFace face;
-    for (int k = 0; k < facet.corner_count; ++k) {
-      FacetCorner corner = t_.corners[static_cast<std::size_t>(facet.first_corner + k)];
-      corner.image = minus(corner.image, minus({}, shift));
-      face.loop.push_back(corner);
-    }
+    face.loop = placed_facet(t_, facet, outer);
     add_edges(face);
     faces_.push_back(std::move(face));
     return slot;
@@ -130,8 +127,7 @@ class TessFile {
       const Facet& facet = t_.facets[f];
       if (facet.outer != Facet::kWall) continue;
       TessFace face;
-      const auto first = t_.corners.begin() + facet.first_corner;
-      face.loop.assign(first, first + facet.corner_count);
+      face.loop = placed_facet(t_, facet, false);
       add_edges(face);
       if (flat_) face.edges.resize(1);  // the way back is the same edge
       vertex_walls_.resize(vertices_.count(), 0);
@@ -175,7 +171,7 @@ class TessFile {
       const auto& [a, b, between] = edges_.key(n);
       const Image& image = edges_.image(n);
       const std::size_t from = vertices_.slot(a, image);
-      const std::size_t to = vertices_.slot(b, minus(image, minus({}, between)));
+      const std::size_t to = vertices_.slot(b, plus(image, between));
       out_.text("   " + tag(n) + " " + tag(vertices_.number(from)) + " " +
                 tag(vertices_.number(to)) + " 0\n");
     }
@@ -185,12 +181,9 @@ class TessFile {
   [[nodiscard]] std::string plane_of(const CornerLoop& loop) const {
     if (flat_) return "0 0 0 1";
     const std::vector<Vec3> at = positions(t_, loop);
-    Vec3 normal;
-    for (std::size_t k = 2; k < at.size(); ++k) {
-      normal += cross(at[k - 1] - at[0], at[k] - at[0]);
-    }
+    Vec3 normal = polygon_normal(at);
     // Facets of no area to rounding lie in many planes.
-    normal = norm_sq(normal) > 0.0 ? normalized(normal) : Vec3{0, 0, 1};
+    if (normal == Vec3{}) normal = {0, 0, 1};
     return shortest(dot(normal, at[0])) + " " + words(normal);
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Numbers for the corners that stand in one place.
+/// The corners of facets where they stand, and numbers for those in one place.
 
 #include <cstddef>
 #include <unordered_map>
@@ -18,6 +18,27 @@ namespace packstone {
   at.reserve(corners.size());
   for (const FacetCorner& corner : corners) at.push_back(position(tessellation, corner));
   return at;
+}
+
+/// The corners of a facet where its inner cell stands or, if `outer`, its outer one; in the order
+/// of the inner one.
+[[nodiscard]] inline std::vector<FacetCorner> placed_facet(const Tessellation& tessellation,
+                                                           const Facet& facet, bool outer) {
+  const auto first = tessellation.corners.begin() + facet.first_corner;
+  std::vector<FacetCorner> corners(first, first + facet.corner_count);
+  for (FacetCorner& corner : corners) {
+    for (std::size_t a = 0; outer && a < 3; ++a) corner.image[a] -= facet.image[a];
+  }
+  return corners;
+}
+
+/// Unit normal of a polygon in space, corners counterclockwise; 0 where it has no area.
+[[nodiscard]] inline Vec3 polygon_normal(const std::vector<Vec3>& corners) {
+  Vec3 normal;
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    normal += cross(corners[k - 1] - corners[0], corners[k] - corners[0]);
+  }
+  return norm_sq(normal) > 0.0 ? normalized(normal) : Vec3{};
 }
 
 /// Corners as they come, each vertex and image once.

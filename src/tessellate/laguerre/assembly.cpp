@@ -140,7 +140,7 @@ class Assembler {
     corners_.reserve(corners);
     out.facets.reserve(facets);
     out.corners.reserve(corners);
-    pool_.reserve(corners / kCornersPerVertex);
+    pool_.reserve(corners / (box.dimension == 2 ? kCornersPerVertex2 : kCornersPerVertex3));
     for (const BlockFacets& block : blocks) add(block);
   }
 
@@ -154,8 +154,9 @@ class Assembler {
   }
 
  private:
-  // Corners of stored facets that meet in one vertex, at least in most diagrams.
-  static constexpr std::size_t kCornersPerVertex = 2;
+  // Corners of stored facets that meet in one vertex, in most diagrams.
+  static constexpr std::size_t kCornersPerVertex2 = 2;
+  static constexpr std::size_t kCornersPerVertex3 = 6;
 
   void add(const BlockFacets& block) {
     const auto first = static_cast<std::int64_t>(corners_.size());

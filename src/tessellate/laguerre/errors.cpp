@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
+#include "packstone/geometry/equal_ball.hpp"
 #include "packstone/geometry/measures.hpp"
 
 namespace packstone::laguerre {
@@ -46,9 +46,7 @@ struct Ratios {
 // Of the centroid from the center of the inclusion, whatever images they stand in, over the radius
 // of the ball of the measure of the cell.
 double offset_of(const Cell& box, const Vec3& center, const CellShape& shape) {
-  using std::numbers::pi;
-  const double radius =
-      box.dimension == 2 ? std::sqrt(shape.measure / pi) : std::cbrt(0.75 * shape.measure / pi);
+  const double radius = equal_ball_radius(box.dimension, shape.measure);
   Vec3 off = shape.centroid - center;
   for (std::size_t a = 0; a < 3; ++a) {
     if (box.periodic[a]) off[a] -= box.size[a] * std::round(off[a] / box.size[a]);

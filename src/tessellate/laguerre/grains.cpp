@@ -1,16 +1,14 @@
 #include "tessellate/laguerre/grains.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "packstone/core/symmetric_eigen.hpp"
+#include "packstone/geometry/equal_ball.hpp"
 #include "packstone/geometry/inscribed_balls.hpp"
 #include "packstone/geometry/measures.hpp"
 #include "spatial/curve_order.hpp"
 
 namespace packstone::laguerre {
-
-using std::numbers::pi;
 
 std::vector<Grain> grains_of(const Packing& packing, double factor) {
   std::vector<Grain> grains;
@@ -53,13 +51,12 @@ SymMat3 log_shape(int dimension, const CellShape& shape) noexcept {
 }
 
 Body body_of_log_shape(int dimension, double measure, const SymMat3& s) {
+  const double size = equal_ball_radius(dimension, measure);
   if (dimension == 2) {
-    const double size = std::sqrt(measure / pi);
     const double stretch = std::exp(std::hypot(0.5 * (s.xx - s.yy), s.xy));
     return Ellipse{{size * stretch, size / stretch}, 0.5 * std::atan2(2.0 * s.xy, s.xx - s.yy)};
   }
   const SymmetricEigen eigen = symmetric_eigen(s);
-  const double size = std::cbrt(0.75 * measure / pi);
   Vec3 semi_axes;
   for (std::size_t k = 0; k < 3; ++k) semi_axes[k] = size * std::exp(eigen.values[k]);
   return Ellipsoid{semi_axes, from_matrix(eigen.vectors)};
